@@ -1,10 +1,10 @@
-// Asks a server what its stream does not carry: rotation order, bone sizes and BVH header; then zeroes an avatar out.
+// Asks a server for information that its stream lacks: rotation order, bone sizes and BVH header. Then zeroes out an avatar.
 //
 //   dotnet run --project samples/Commands                           a simulator inside this program
-//   dotnet run --project samples/Commands -- 192.168.1.20           a computer that runs Axis Studio; also HOST:PORT, port 8013 unless given
+//   dotnet run --project samples/Commands -- 192.168.1.20           a computer that runs Axis Studio; also HOST:PORT, default port 8013
 //
-// In a project of your own: dotnet add package NeuronMocap (and NeuronMocap.Server for the simulator).
-// Exit code: 0 every command was answered, 1 one was not, 2 wrong arguments.
+// In your own project: dotnet add package NeuronMocap (and NeuronMocap.Server for the simulator).
+// Exit code: 0 every command was answered, 1 a command failed, 2 wrong arguments.
 using NeuronMocap;
 using NeuronMocap.Bvh;
 using NeuronMocap.Commands;
@@ -26,7 +26,7 @@ catch (FormatException exception)
     return 2;
 }
 
-// Connects with the first command, and again with the next one when the connection was lost.
+// Connects with the first command. If the connection is lost, it reconnects with the next command.
 await using var commands = new NeuronCommandClient(options);
 try
 {
@@ -36,23 +36,23 @@ try
     BoneDimensions body = await commands.GetBoneDimensionsAsync(avatarIndex: 0);
     Console.WriteLine($"Upper arm {body.UpperArm:0.000} m, forearm {body.Forearm:0.000} m, upper leg {body.UpperLeg:0.000} m, lower leg {body.LowerLeg:0.000} m");
 
-    // The offsets of every bone are what a skeleton of this performer's size is made of.
+    // The header holds the offset of every bone. You can build a skeleton of this performer's size from it.
     BvhDocument header = await commands.GetBvhHeaderAsync(avatarIndex: 0);
     BvhJoint hips = header.Joints[0];
     Console.WriteLine($"BVH header: {header.Joints.Count} joints, the first is {hips.Name} with {hips.Channels.Count} channels");
 
-    // The performer stands in the T-pose for this. It turns the avatar so that it looks ahead.
+    // For this command the performer stands in the T-pose. It turns the avatar to face front.
     await commands.ZeroOutAsync(avatarIndex: 0);
     Console.WriteLine("Zeroed out.");
 }
 catch (NeuronCommandException exception)
 {
-    // The reason is for the program, the message for a person.
+    // The reason is for the program, the message for the user.
     Console.Error.WriteLine($"{exception.Reason}: {exception.Message}");
     return 1;
 }
 
-// A command that fails says so, and the client goes on.
+// A command that fails throws, and the client remains usable.
 try
 {
     await commands.GetBoneDimensionsAsync(avatarIndex: 99);

@@ -1,14 +1,14 @@
-// A main loop, as a game has one: 60 turns a second, and frames are taken on its thread when it has time for them.
+// A main loop as in a game: 60 turns a second. It takes frames on its own thread when it has time for them.
 //
 //   dotnet run --project samples/MainLoop                           a simulator inside this program, for 5 seconds
 //   dotnet run --project samples/MainLoop -- 192.168.1.20 60        a computer that runs Axis Neuron or Axis Studio, for 60 seconds
 //
-// There are two ways to take frames. A FrameQueue has every frame, in order: for a simulation, or to keep them. LatestFrames has only the newest of
-// each avatar: for drawing. Neither makes the connection wait. Two seconds after the start this loop stands still for half a second, as a game does that
-// loads a level: the queue is full by then, drops frames and counts them. The newest frame is there as always.
+// There are two ways to take frames. A FrameQueue has every frame in order: use it to simulate, or to keep the frames. LatestFrames has only the
+// newest frame of each avatar: use it to draw. Neither makes the connection wait. Two seconds after the start, this loop pauses for half a second,
+// like a game that loads a level. The queue becomes full, drops frames and counts them. The newest frame is always available.
 //
-// In a project of your own: dotnet add package NeuronMocap (and NeuronMocap.Server for the simulator).
-// Exit code: 0 every frame is accounted for, 1 none arrived or the numbers do not add up, 2 wrong arguments.
+// In your own project: dotnet add package NeuronMocap (and NeuronMocap.Server for the simulator).
+// Exit code: 0 every frame is accounted for, 1 no frame arrived or the numbers do not add up, 2 wrong arguments.
 using System.Diagnostics;
 using System.Numerics;
 using NeuronMocap;
@@ -40,7 +40,7 @@ catch (FormatException exception)
 
 using var reader = new NeuronReader(options);
 
-// Both are opened before the start, so that they miss nothing. Sixteen frames are few, so that the hitch shows; the default is 512.
+// Both are opened before the start, so that they miss nothing. The capacity is only 16 frames, so that the pause has an effect. The default is 512.
 using FrameQueue queue = reader.OpenQueue(capacity: 16);
 using LatestFrames latest = reader.OpenLatest();
 ConnectionStatus shown = reader.Status;
@@ -51,40 +51,40 @@ long taken = 0;
 var clock = Stopwatch.StartNew();
 for (int turn = 1; turn <= seconds * TurnsPerSecond; turn++)
 {
-    // A status of this thread: StatusChanged would be called on another one.
+    // Reads the status on this thread. StatusChanged would be raised on another thread.
     ConnectionStatus status = reader.Status;
     if (status != shown)
         Console.WriteLine(status.Message);
     shown = status;
 
-    // A frame is valid until the handler returns. The lambda is static, so that the loop allocates no memory.
+    // A frame is valid until the handler returns. The lambda is static, so the loop allocates no memory.
     taken += queue.Pump(game, static (Game game, MotionFrame frame) => game.Simulate(frame));
     if (latest.TryTakeMotion(0, out MotionFrame? newest))
         game.Draw(newest);
 
     if (turn == HitchTurn)
     {
-        Console.WriteLine("The loop stands still for half a second.");
+        Console.WriteLine("The loop pauses for half a second.");
         Thread.Sleep(500);
     }
 
     if (turn % TurnsPerSecond == 0)
         Console.WriteLine($"{turn,5} turns: {taken} frames taken, {queue.Dropped} dropped, {game.Drawn} drawn, {game.Way:0} cm walked");
 
-    // Turns that are late follow each other without a wait.
+    // Late turns follow each other without a wait.
     TimeSpan wait = TimeSpan.FromSeconds((double)turn / TurnsPerSecond) - clock.Elapsed;
     if (wait > TimeSpan.Zero)
         Thread.Sleep(wait);
 }
 
-// A queue can be emptied when its reader has stopped.
+// A queue can still be drained after its reader has stopped.
 reader.Dispose();
 taken += queue.Pump(game, static (Game game, MotionFrame frame) => game.Simulate(frame));
 long received = reader.GetStatistics().Frames;
 Console.WriteLine($"{received} frames received = {taken} taken + {queue.Dropped} dropped; {game.Drawn} were drawn.");
 return received > 0 && received == taken + queue.Dropped ? 0 : 1;
 
-/// <summary>What this loop would be about.</summary>
+/// <summary>The game that this loop runs.</summary>
 internal sealed class Game
 {
     private Vector3? _hips;
@@ -93,7 +93,7 @@ internal sealed class Game
 
     public long Drawn { get; private set; }
 
-    // How far the performer went takes every frame; where they are takes one.
+    // The walked distance needs every frame. The current position needs only the newest one.
     public void Simulate(MotionFrame frame)
     {
         if (!frame.HasSkeleton)

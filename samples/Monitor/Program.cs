@@ -1,11 +1,11 @@
-// A monitor for the console: the status in words whenever it changes, and a line for each avatar every second.
+// A monitor for the console. It prints every change of the status in words, and a line for each avatar every second.
 //
 //   dotnet run --project samples/Monitor                            a simulator inside this program
 //   dotnet run --project samples/Monitor -- 192.168.1.20            a computer that runs Axis Neuron or Axis Studio; also HOST:PORT, udp://:PORT
-//   dotnet run --project samples/Monitor -- demo 300                ends after 300 frames; Ctrl+C ends it at any time
+//   dotnet run --project samples/Monitor -- demo 300                ends after 300 frames; press Ctrl+C to end it at any time
 //
-// In a project of your own: dotnet add package NeuronMocap (and NeuronMocap.Server for the simulator).
-// Exit code: 0 frames arrived, 1 none arrived, 2 wrong arguments.
+// In your own project: dotnet add package NeuronMocap (and NeuronMocap.Server for the simulator).
+// Exit code: 0 frames arrived, 1 no frame arrived, 2 wrong arguments.
 using NeuronMocap;
 using NeuronMocap.Server;
 
@@ -32,11 +32,11 @@ catch (FormatException exception)
 await using var reader = new NeuronReader(options);
 reader.StatusChanged += status => Console.WriteLine(status.Message);
 
-// The newest frame of each avatar: a monitor has no use for older ones.
+// Keeps the newest frame of each avatar. A monitor does not need older frames.
 using LatestFrames latest = reader.OpenLatest();
 reader.Start();
 
-// A timer that was disposed of ends the loop below.
+// Disposing the timer ends the loop below.
 using var timer = new PeriodicTimer(TimeSpan.FromSeconds(1));
 Console.CancelKeyPress += (_, key) =>
 {

@@ -1,10 +1,10 @@
-// Records a stream, plays the recording as if it arrived now, and writes its motion to a BVH file: take.nmrec and take.bvh in the current folder.
+// Records a stream, plays the recording back, and exports its motion to a BVH file. Writes take.nmrec and take.bvh in the current folder.
 //
 //   dotnet run --project samples/RecordAndPlay                      a simulator inside this program, for 2 seconds
 //   dotnet run --project samples/RecordAndPlay -- 192.168.1.20 30   a computer that runs Axis Neuron or Axis Studio, for 30 seconds
 //
-// In a project of your own: dotnet add package NeuronMocap (and NeuronMocap.Server for the simulator).
-// Exit code: 0 the playback has the frames that were received, 1 it has not, or something failed, 2 wrong arguments.
+// In your own project: dotnet add package NeuronMocap (and NeuronMocap.Server for the simulator).
+// Exit code: 0 the playback has all received frames, 1 frames are missing or something failed, 2 wrong arguments.
 using NeuronMocap;
 using NeuronMocap.Bvh;
 using NeuronMocap.Recording;
@@ -27,7 +27,7 @@ try
     ReaderStatistics live = await RecordAsync(NeuronReaderOptions.Parse(demo is null ? address : $"{demo.LocalEndPoint}"));
     ReaderStatistics played = await PlayAsync();
 
-    // The recording holds the bytes themselves, also of frames that had arrived when the reader was stopped.
+    // The recording holds the bytes themselves. It includes frames that had arrived when the reader was stopped.
     return live.Frames > 0 && played.Frames == live.Frames + live.Undelivered ? 0 : 1;
 }
 catch (FormatException exception)
@@ -46,7 +46,7 @@ async Task<ReaderStatistics> RecordAsync(NeuronReaderOptions options)
     await using var reader = new NeuronReader(options);
     reader.StatusChanged += status => Console.WriteLine(status.Message);
 
-    // Before the start, so that the recording has the first byte.
+    // Starts before the reader, so that the recording has the first byte.
     await using StreamRecorder recorder = reader.StartRecording(TakeFile, new RecordingOptions { Overwrite = true });
     await reader.StartAsync(timeout: TimeSpan.FromSeconds(10));
     await Task.Delay(TimeSpan.FromSeconds(seconds));
@@ -64,9 +64,9 @@ async Task<ReaderStatistics> RecordAsync(NeuronReaderOptions options)
 async Task<ReaderStatistics> PlayAsync()
 {
     using RecordingPlayer player = RecordingPlayer.Open(TakeFile);
-    player.Speed = RecordingPlayer.MaxSpeed; // 1 plays it as it was
+    player.Speed = RecordingPlayer.MaxSpeed; // 1 is the recorded speed
 
-    // All that a reader of a live stream can do, a reader of a recording does: queues, events, BVH.
+    // A reader of a recording supports everything that a reader of a live stream does: queues, events, BVH.
     await using var reader = new NeuronReader(player);
     await using BvhExport export = reader.ExportBvh(BvhFile, new BvhExportOptions { Overwrite = true });
     reader.Start();

@@ -1,13 +1,14 @@
-// A service that receives a stream and exports the reader's metrics and logs, and a trace of its connections, with OpenTelemetry.
+// A service that receives a stream. It exports the reader's metrics and logs, and a trace of its connections, with OpenTelemetry.
 //
 //   dotnet run --project samples/Telemetry                          a simulator inside this program; everything goes to the console
 //   dotnet run --project samples/Telemetry -- --NeuronReader:Host=192.168.1.20 --Collector=http://127.0.0.1:4318
 //
-// All settings are configuration: appsettings.json, environment variables such as NeuronReader__Host, or the command line as above.
-// NeuronReader:… are the reader's options; Collector is where to send OTLP over HTTP to; Seconds ends the service after that time, Ctrl+C at any time.
+// All settings come from the configuration: appsettings.json, environment variables such as NeuronReader__Host, or the command line as above.
+// NeuronReader:… are the options of the reader. Collector is the destination of OTLP over HTTP. Seconds ends the service after that time; Ctrl+C ends
+// it at any time.
 //
-// In a project of your own: dotnet add package NeuronMocap.Hosting.
-// Exit code: 0 ended as asked, 1 no frame arrived or the collector took nothing, 2 wrong settings.
+// In your own project: dotnet add package NeuronMocap.Hosting.
+// Exit code: 0 ended as requested, 1 no frame arrived or the collector accepted nothing, 2 wrong settings.
 using System.Diagnostics;
 using Microsoft.Extensions.Configuration;
 using Microsoft.Extensions.DependencyInjection;
@@ -25,7 +26,7 @@ using OpenTelemetry.Trace;
 HostApplicationBuilder builder = Host.CreateApplicationBuilder(new HostApplicationBuilderSettings { Args = args, ContentRootPath = AppContext.BaseDirectory });
 using Broadcaster? demo = builder.Configuration["NeuronReader:Host"] is null && builder.Configuration["NeuronReader:Port"] is null ? Broadcaster.StartDemo() : null;
 
-// The options of the section NeuronReader, the host's logs, started and stopped with the host: all of it is this call.
+// This call reads the options from the section NeuronReader, connects the host's logs, and starts and stops the reader with the host.
 builder.Services.AddNeuronReader(options =>
 {
     if (demo?.LocalEndPoint is { } server)
@@ -60,7 +61,7 @@ try
     if (reader.GetStatistics().Frames == 0)
         return Fail(1, "No frame arrived; the log above says why.");
 
-    // The reader has stopped, but its last figures are there until the host is disposed of.
+    // The reader has stopped, but its last metrics exist until the host is disposed.
     return meters.ForceFlush(timeoutMilliseconds: 5000) ? 0 : Fail(1, $"The collector at {collector} took nothing. Check the address, and that it takes OTLP over HTTP.");
 }
 catch (OptionsValidationException exception)
@@ -74,7 +75,7 @@ static int Fail(int code, string message)
     return code;
 }
 
-/// <summary>Makes a span of each connection, with an event for each change of its state.</summary>
+/// <summary>Creates a span for each connection, with an event for each change of its state.</summary>
 internal sealed class ConnectionTrace(NeuronReader reader) : IHostedService
 {
     public const string SourceName = "NeuronMocap.Samples.Telemetry";

@@ -2,19 +2,19 @@ using System.Diagnostics;
 
 namespace NeuronMocap.Compatibility;
 
-/// <summary>
-/// What became of exceptions that registered callbacks threw. They end neither the connection nor the process; other callbacks go on.
-/// </summary>
+/// <summary>Reports exceptions that registered callbacks throw.</summary>
+/// <remarks>Such an exception ends neither the connection nor the process. Other callbacks go on.</remarks>
 public static class CompatibilityEvents
 {
     private static readonly object Lock = new();
     private static readonly TimeSpan Pause = TimeSpan.FromSeconds(10);
     private static readonly Stopwatch SinceLine = new();
 
-    /// <summary>
-    /// Called with every exception that a callback threw, on the thread that called the callback. Exceptions of this event's own handlers
-    /// are ignored. While it has no handler, exceptions are written to the standard error stream, at most one every 10 s.
-    /// </summary>
+    /// <summary>Occurs when a callback throws an exception. The event is raised on the thread that called the callback.</summary>
+    /// <remarks>
+    /// Exceptions of this event's own handlers are ignored. Without a handler, exceptions are written to the standard error stream, at most one every
+    /// 10 s.
+    /// </remarks>
     public static event Action<Exception>? CallbackFailed;
 
     internal static void Report(Exception exception)
@@ -28,7 +28,7 @@ public static class CompatibilityEvents
         }
         catch (Exception)
         {
-            // Neither a handler of failures nor the text of an exception may bring the receive thread down.
+            // Neither a handler of this event nor the text of an exception may end the receive thread.
         }
     }
 

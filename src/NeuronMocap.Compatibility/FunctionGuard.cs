@@ -2,7 +2,7 @@ using System.Runtime.CompilerServices;
 
 namespace NeuronMocap.Compatibility;
 
-// Stands around the functions that programs call: whatever is thrown inside becomes the function's failure, with a sentence as the last error. In C an
+// Guards the functions that programs call. An exception inside becomes the function's failure value and a sentence in the last error. In C an
 // exception would end the process.
 internal static class FunctionGuard
 {
@@ -15,13 +15,13 @@ internal static class FunctionGuard
         }
         catch (Exception exception) when (exception is not ThreadInterruptedException)
         {
-            // A thread is interrupted by the program itself, which waits for that.
+            // The program itself interrupts a thread, and it expects this exception.
             Report(name, exception);
             return failure;
         }
     }
 
-    // Without memory there may not even be a last error.
+    // If memory runs out, there may not even be a last error.
     public static void Report(string name, Exception exception)
     {
         try
@@ -30,7 +30,7 @@ internal static class FunctionGuard
         }
         catch (Exception)
         {
-            // The function's failure has to tell it.
+            // Only the failure value of the function reports it.
         }
     }
 }

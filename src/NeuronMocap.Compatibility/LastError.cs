@@ -3,7 +3,7 @@ using System.Text;
 
 namespace NeuronMocap.Compatibility;
 
-// The vendor's last error: one text for the process, which no success clears.
+// The vendor's last error: one text for the whole process, which a success does not clear.
 internal static class LastError
 {
     private const int Capacity = 1024;
@@ -12,7 +12,7 @@ internal static class LastError
 
     private static readonly object Lock = new();
 
-    // Made beforehand, as what it tells would keep it from being made.
+    // Created in advance, because it could not be created when memory has run out.
     private static readonly byte[] NoMemoryImage = ImageOf(NoMemory);
     private static volatile string _text = string.Empty;
 
@@ -26,12 +26,12 @@ internal static class LastError
 
     public static string Text => _text;
 
-    // Whoever reads the memory at this moment may see parts of two texts, as in the vendor's library; it always ends with a zero.
+    // A concurrent reader may see parts of two texts, as in the vendor's library. The memory always ends with a zero.
     public static void Set(string text) => Set(text, ImageOf(text));
 
     public static void Set(string text, int systemError) => Set($"{text} System error code: {systemError}");
 
-    // For what should not happen: an exception inside a function, which fails.
+    // For unexpected exceptions inside a function, which then fails.
     public static void SetFault(string function, Exception exception)
     {
         if (exception is OutOfMemoryException)

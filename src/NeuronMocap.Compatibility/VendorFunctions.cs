@@ -8,7 +8,7 @@ using NeuronMocap.Skeleton;
 
 namespace NeuronMocap.Compatibility;
 
-// What the functions of one of the two namespaces do.
+// Implements the functions of one of the two namespaces.
 internal sealed class VendorFunctions(IVendorCallbacks callbacks)
 {
     public IntPtr Connect(string host, int port) => FunctionGuard.Call(
@@ -33,7 +33,7 @@ internal sealed class VendorFunctions(IVendorCallbacks callbacks)
         failure: false,
         "BRCloseSocket");
 
-    // The numbers of the vendor's commands are those of the wire.
+    // The numbers of the vendor's commands are those of the protocol.
     public static bool Fetch(IntPtr socket, int command, int avatar) => FunctionGuard.Call(
         (socket, command, avatar),
         static what => CommandsOf(what.socket)?.TryRequest((DataCommandId)what.command, what.avatar) ?? false,
@@ -65,7 +65,7 @@ internal sealed class VendorFunctions(IVendorCallbacks callbacks)
     public static bool TryGetBvhHeader(IntPtr socket, int avatar, [NotNullWhen(true)] out string? text) =>
         TryAsk(socket, client => client.GetBvhHeaderTextAsync(avatar), out text, "GetBvhHeader");
 
-    // As C text, with the zero byte at its end.
+    // Returns C text with a zero byte at its end.
     public static bool TryGetBvhHeader(IntPtr socket, int avatar, [NotNullWhen(true)] out byte[]? bytes)
     {
         bytes = TryGetBvhHeader(socket, avatar, out string? text)

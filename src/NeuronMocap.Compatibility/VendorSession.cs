@@ -6,18 +6,23 @@ using WrappedReader = NeuronDataReaderWraper.NeuronDataReader;
 
 namespace NeuronMocap.Compatibility;
 
-/// <summary>
-/// All that scripts have opened and registered, in both namespaces. For hosts that end a program but not the process, as Unity's editor does when
-/// play mode is left or scripts are compiled again: what a script forgot to close would go on there.
-/// </summary>
+/// <summary>Closes everything that scripts have opened and registered, in both namespaces.</summary>
+/// <remarks>
+/// It is for hosts that end a program but not the process. Unity's editor does so when it leaves play mode or recompiles scripts. Connections that a
+/// script forgot to close would otherwise stay open.
+/// </remarks>
 public static class VendorSession
 {
     /// <summary>
-    /// Unregisters all callbacks, and closes every connection, UDP service and command connection, all at once. May be called from any thread and
-    /// repeatedly. Handles that were closed stay dead; what is opened afterwards works as at the start of the process.
+    /// Unregisters all callbacks, and closes every connection, UDP service and command connection at the same time.
     /// </summary>
-    /// <param name="timeout">How long to wait at most for callbacks that are running.</param>
-    /// <returns>False when a callback was still running after that time. Its connection is closed, too, and no other call follows.</returns>
+    /// <remarks>
+    /// Thread-safe. You can call it repeatedly. Closed handles stay invalid. Later connections work as at the start of the process.
+    /// </remarks>
+    /// <param name="timeout">Maximum time to wait for running callbacks.</param>
+    /// <returns>
+    /// False if a callback was still running after that time. Its connection is closed nevertheless, and no other callback follows.
+    /// </returns>
     public static bool End(TimeSpan timeout)
     {
         WrappedReader.BRRegisterFrameDataCallback(IntPtr.Zero, null);
@@ -29,7 +34,7 @@ public static class VendorSession
         ManagedReader.BRRegisterSocketStatusCallback(IntPtr.Zero, null);
         ManagedReader.BRRegisterCommandDataCallback(IntPtr.Zero, null);
 
-        // Each on a thread of its own, which no busy pool can delay: closing waits for the connection's callback.
+        // Each socket is closed on its own thread, which a busy pool cannot delay. Closing waits for the callback of the connection.
         var watch = Stopwatch.StartNew();
         Thread[] closing = [.. SocketTable.GetAll().Select(socket => new Thread(() => Close(socket, timeout)) { IsBackground = true, Name = "NeuronMocap close" })];
         Array.ForEach(closing, static thread => thread.Start());

@@ -2,7 +2,7 @@ using Microsoft.Extensions.Diagnostics.HealthChecks;
 
 namespace NeuronMocap.Hosting;
 
-// Healthy while frames arrive, degraded while the connection stands without, unhealthy without a connection.
+// Healthy while frames arrive, degraded while a connection delivers no frames, unhealthy without a connection.
 internal sealed class NeuronReaderHealthCheck(NeuronReader reader) : IHealthCheck
 {
     public Task<HealthCheckResult> CheckHealthAsync(HealthCheckContext context, CancellationToken cancellationToken = default)

@@ -2,7 +2,7 @@ using Microsoft.Extensions.Options;
 
 namespace NeuronMocap.Hosting;
 
-// Says at the host's start what the reader's constructor would say.
+// Reports at the host's start the errors that the reader's constructor would throw.
 internal sealed class NeuronReaderOptionsValidator : IValidateOptions<NeuronReaderOptions>
 {
     public ValidateOptionsResult Validate(string? name, NeuronReaderOptions options) =>

@@ -2,21 +2,21 @@ using Microsoft.Extensions.Hosting;
 
 namespace NeuronMocap.Hosting;
 
-// Starts the reader last and stops it first: hosted services that consume frames miss none, and their loops end by themselves.
+// Starts the reader last and stops it first. Hosted services that consume frames then miss no frame, and their loops end without cancellation.
 internal sealed class NeuronReaderService(NeuronReader reader) : IHostedLifecycleService
 {
     public Task StartingAsync(CancellationToken cancellationToken) => Task.CompletedTask;
 
     public Task StartAsync(CancellationToken cancellationToken) => Task.CompletedTask;
 
-    // Does not wait for a connection: the server may come later, and the reader says why there is none.
+    // Does not wait for a connection. The server may start later, and the reader reports why it has no connection.
     public Task StartedAsync(CancellationToken cancellationToken)
     {
         reader.Start();
         return Task.CompletedTask;
     }
 
-    // The container disposes of the reader, and with it of its metrics, after those who export them for the last time.
+    // The container disposes the reader and its metrics, after the services that export the metrics for the last time.
     public async Task StoppingAsync(CancellationToken cancellationToken)
     {
         try
@@ -25,7 +25,7 @@ internal sealed class NeuronReaderService(NeuronReader reader) : IHostedLifecycl
         }
         catch (OperationCanceledException) when (cancellationToken.IsCancellationRequested)
         {
-            // The host's time is up; the reader, whose socket is closed, needs no more than 2 s by itself.
+            // The host's time-out has passed. The socket of the reader is closed, so the reader ends within 2 s.
         }
     }
 

@@ -8,23 +8,25 @@ using NeuronMocap.Hosting;
 
 namespace Microsoft.Extensions.DependencyInjection;
 
-/// <summary>Puts readers into a host.</summary>
+/// <summary>Extension methods that add readers to a host.</summary>
 public static class NeuronReaderServiceCollectionExtensions
 {
-    /// <summary>Section of the configuration of the reader without a name.</summary>
+    /// <summary>Configuration section of the reader without a name.</summary>
     public const string Section = "NeuronReader";
 
-    /// <summary>Section of the configuration with one section for each named reader.</summary>
+    /// <summary>Configuration section that holds one section for each named reader.</summary>
     public const string NamedSection = "NeuronReaders";
 
     /// <summary>
-    /// Adds a <see cref="NeuronReader"/> as a singleton, with the options of the configuration's section "NeuronReader" and the host's logs. It
-    /// starts when all hosted services have started, so that what they open in their constructors or in StartAsync gets the first frame too
-    /// (ExecuteAsync of a background service may run later), and stops as the host begins to stop. Options that are out of range keep the
-    /// host from starting.
+    /// Adds a <see cref="NeuronReader"/> as a singleton, with the options of the configuration section "NeuronReader" and the host's logs.
     /// </summary>
-    /// <param name="services">The host's services.</param>
-    /// <param name="configure">Sets options in code, after those of the configuration; null for none.</param>
+    /// <remarks>
+    /// The reader starts when all hosted services have started. Consumers that they open in their constructors or in StartAsync therefore get the
+    /// first frame. ExecuteAsync of a background service may run later. The reader stops when the host begins to stop. If an option is out of range,
+    /// the host does not start.
+    /// </remarks>
+    /// <param name="services">The services of the host.</param>
+    /// <param name="configure">Sets options in code, after those of the configuration; may be null.</param>
     /// <returns>The services.</returns>
     public static IServiceCollection AddNeuronReader(this IServiceCollection services, Action<NeuronReaderOptions>? configure = null)
     {
@@ -35,12 +37,15 @@ public static class NeuronReaderServiceCollectionExtensions
     }
 
     /// <summary>
-    /// Adds one of several readers, as a keyed singleton: <c>[FromKeyedServices("left")] NeuronReader reader</c>. Its options are those of the
-    /// configuration's section "NeuronReaders:left"; otherwise as <see cref="AddNeuronReader(IServiceCollection, Action{NeuronReaderOptions})"/>.
+    /// Adds one of several readers, as a keyed singleton: <c>[FromKeyedServices("left")] NeuronReader reader</c>.
     /// </summary>
-    /// <param name="services">The host's services.</param>
-    /// <param name="name">Key of the service, and name of the reader in metrics and logs unless the options give another.</param>
-    /// <param name="configure">Sets options in code, after those of the configuration; null for none.</param>
+    /// <remarks>
+    /// The options of this reader come from the configuration section "NeuronReaders:left". Otherwise the method works like
+    /// <see cref="AddNeuronReader(IServiceCollection, Action{NeuronReaderOptions})"/>.
+    /// </remarks>
+    /// <param name="services">The services of the host.</param>
+    /// <param name="name">Key of the service. Also the name of the reader in metrics and logs, unless the options set another one.</param>
+    /// <param name="configure">Sets options in code, after those of the configuration; may be null.</param>
     /// <returns>The services.</returns>
     /// <exception cref="ArgumentException">The name is empty.</exception>
     public static IServiceCollection AddNeuronReader(this IServiceCollection services, string name, Action<NeuronReaderOptions>? configure = null)
@@ -71,7 +76,7 @@ public static class NeuronReaderServiceCollectionExtensions
         options.ValidateOnStart();
     }
 
-    // As a factory, because AddHostedService takes only one service of a type.
+    // Uses a factory, because AddHostedService accepts only one service of a type.
     private static IServiceCollection AddService(IServiceCollection services, Func<IServiceProvider, NeuronReader> reader) =>
         services.AddSingleton<IHostedService>(provider => new NeuronReaderService(reader(provider)));
 

@@ -6,8 +6,8 @@ using NeuronMocap.Skeleton;
 
 namespace NeuronMocap.Hosting;
 
-// Reads options from a section of the configuration. Not by the general binder: that passes over misspelt keys and over addresses in silence,
-// takes "5" for five days, and needs reflection.
+// Reads options from a configuration section. The general binder is unsuitable: it silently ignores misspelt keys and addresses, reads "5" as five
+// days, and needs reflection.
 internal static class ReaderSettings
 {
     private const string AllowedSenders = "AllowedSenders";
@@ -40,8 +40,8 @@ internal static class ReaderSettings
     {
         List<string> faults = [];
 
-        // An array in a file and a list in the environment are two keys: the list replaces the array, so that it can narrow down who may send.
-        // An empty list does not, for it would let everyone in.
+        // An array in a file and a list in the environment are two keys. The list replaces the array, so that it can restrict the senders. An empty
+        // list does not replace it, because that would allow all senders.
         bool hasList = section[AllowedSenders]?.Trim(' ', ',') is { Length: > 0 };
         foreach ((string key, string? text) in section.AsEnumerable(makePathsRelative: true))
         {
@@ -87,13 +87,13 @@ internal static class ReaderSettings
 
     private static string WithoutIndex(string key) => IsArrayItem(key) ? AllowedSenders : key;
 
-    // An array in JSON has a key for each of its items.
+    // An array in JSON has a key for each item.
     private static bool IsArrayItem(string key) => key.StartsWith(AllowedSenders + ":", StringComparison.OrdinalIgnoreCase);
 
     private static IEnumerable<IPAddress> Addresses(string text) =>
         text.Split(',', StringSplitOptions.TrimEntries | StringSplitOptions.RemoveEmptyEntries).Select(static part => Address(part)!);
 
-    // Empty is what some versions make of a null in JSON.
+    // Some versions turn a null in JSON into an empty string.
     private static IPAddress? Address(string text)
     {
         if (text.Length == 0)
@@ -102,7 +102,7 @@ internal static class ReaderSettings
         return IPAddress.TryParse(text, out IPAddress? address) ? address : throw new FormatException("an IP address");
     }
 
-    // "00:00:05" as TimeSpan writes it, or "5" for seconds: as a day is no time to wait for a frame, nobody means five of them.
+    // Accepts "00:00:05", the format of TimeSpan, or "5" for seconds. A plain number never means days, because days are too long to wait for a frame.
     private static TimeSpan Time(string text)
     {
         if (double.TryParse(text, NumberStyles.AllowLeadingSign | NumberStyles.AllowDecimalPoint, CultureInfo.InvariantCulture, out double seconds)

@@ -3,7 +3,7 @@ using NeuronMocap.Skeleton;
 
 namespace NeuronMocap.Native;
 
-// The C struct: 12 floats, metres (manual section 2.1.8).
+// The C struct: 12 floats in metres (manual section 2.1.8).
 [StructLayout(LayoutKind.Sequential)]
 internal readonly struct BoneDimension(BoneDimensions source)
 {

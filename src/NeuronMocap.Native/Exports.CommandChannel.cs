@@ -6,7 +6,8 @@ using NeuronMocap.Skeleton;
 
 namespace NeuronMocap.Native;
 
-// The command channel of b17 and b18: manual sections 2.3.9 to 2.3.14. They return a bool, which is one byte; who takes it for an int reads more of them.
+// The command channel of b17 and b18: manual sections 2.3.9 to 2.3.14. The functions return a bool of one byte. A caller that declares an int reads
+// garbage in the other bytes.
 internal static unsafe partial class Exports
 {
     private const int UnknownOrder = 6;
@@ -43,7 +44,7 @@ internal static unsafe partial class Exports
     [UnmanagedCallersOnly(EntryPoint = nameof(GetBoneSize), CallConvs = [typeof(CallConvCdecl)])]
     public static int GetBoneSize(IntPtr sockRef, int avatarIndex, BoneDimension* boneSize) => AskBoneSize(sockRef, avatarIndex, boneSize, nameof(GetBoneSize));
 
-    // The name that the manual's heading gives the same function.
+    // The same function, with the name in the manual's heading.
     [UnmanagedCallersOnly(EntryPoint = nameof(BRGetBoneSize), CallConvs = [typeof(CallConvCdecl)])]
     public static int BRGetBoneSize(IntPtr sockRef, int avatarIndex, BoneDimension* boneSize) => AskBoneSize(sockRef, avatarIndex, boneSize, nameof(BRGetBoneSize));
 

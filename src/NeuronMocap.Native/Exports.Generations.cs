@@ -5,7 +5,7 @@ using NeuronMocap.Native.Host;
 
 namespace NeuronMocap.Native;
 
-// Ours: the vendor had a library for each generation.
+// Not in the vendor's library: the vendor had a separate library for each generation.
 internal static unsafe partial class Exports
 {
     // The numbers of BRHeaderLayout are those of HeaderLayout.

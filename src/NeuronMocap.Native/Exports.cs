@@ -5,8 +5,8 @@ using NeuronMocap.Native.Host;
 
 namespace NeuronMocap.Native;
 
-// What the library exports: manual section 2.3. Only converts; VendorFunctions does the work, as for the C# functions. None throws: all of each one is
-// behind its guard.
+// The exported functions: manual section 2.3. They only convert; VendorFunctions does the work, as for the C# functions. They do not throw, because
+// the whole body of each function runs behind its guard.
 internal static unsafe partial class Exports
 {
     private const int OffWork = 2;
@@ -36,7 +36,7 @@ internal static unsafe partial class Exports
     [UnmanagedCallersOnly(EntryPoint = nameof(BRGetSocketStatus), CallConvs = [typeof(CallConvCdecl)])]
     public static int BRGetSocketStatus(IntPtr sockRef) => ExportGuard.Call(sockRef, static socket => (int)VendorFunctions.GetStatus(socket), OffWork);
 
-    // The first function that entry.c calls: it makes what all of them share.
+    // entry.c calls this function first. It creates the objects that all functions share.
     [UnmanagedCallersOnly(EntryPoint = nameof(BRGetLastErrorMessage), CallConvs = [typeof(CallConvCdecl)])]
     public static IntPtr BRGetLastErrorMessage() => ExportGuard.Call(
         0,

@@ -2,13 +2,13 @@ using NeuronMocap.Compatibility;
 
 namespace NeuronMocap.Native;
 
-// For programs that nobody can compile again: the environment chooses the layout of frames' headers.
+// For programs that cannot be recompiled: an environment variable sets the layout of the frame headers.
 internal static class HeaderVariable
 {
     private const string Name = "NEURONDATAREADER_HEADER";
     private const string Old = "b12";
 
-    // Read once, at the first call: a receive thread that read it would race with programs that set variables.
+    // Read once, at the first call. Reading it on a receive thread would race with programs that set variables.
     public static HeaderLayout Read()
     {
         string? value = Environment.GetEnvironmentVariable(Name);

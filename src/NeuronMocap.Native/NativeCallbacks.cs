@@ -3,7 +3,7 @@ using NeuronMocap.Compatibility.Callbacks;
 
 namespace NeuronMocap.Native;
 
-// The registered C callbacks: one of each kind, replaced together with its object.
+// The registered C callbacks, one of each kind. Each is replaced together with its object.
 internal sealed unsafe class NativeCallbacks : IVendorCallbacks
 {
     private const int StackText = 512;
@@ -52,7 +52,7 @@ internal sealed unsafe class NativeCallbacks : IVendorCallbacks
             registration.Call(socket, (int)status, start);
     }
 
-    // On Windows callbacks are stdcall; elsewhere there is one convention.
+    // On Windows callbacks are stdcall. Other systems have one convention.
     private sealed class Registration(IntPtr customObject, IntPtr function)
     {
         public static Registration? Of(IntPtr customObject, IntPtr function) =>

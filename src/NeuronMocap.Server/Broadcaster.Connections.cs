@@ -6,7 +6,7 @@ using NeuronMocap.Server.Clients;
 
 namespace NeuronMocap.Server;
 
-// Who is served, from the first byte to the last: on the threads of the listener, the pacer and the recipients, and under the gate.
+// Serves recipients from the first byte to the last. Runs on the threads of the listener, the pacer and the recipients, and under the gate.
 public sealed partial class Broadcaster
 {
     private void Open()
@@ -79,7 +79,7 @@ public sealed partial class Broadcaster
         }
     }
 
-    // From here on there are frames.
+    // Frames exist from here on.
     private void Begin()
     {
         if (_hasBegun)
@@ -95,7 +95,7 @@ public sealed partial class Broadcaster
         }
         catch (Exception exception)
         {
-            // The system has no thread left, normally: there can be no broadcast, and whoever waits for its end shall know why.
+            // Usually the system cannot create another thread. The broadcast cannot start, so Completion must fail with the reason.
             Close(exception);
         }
     }
@@ -122,7 +122,7 @@ public sealed partial class Broadcaster
         }
     }
 
-    // The client has its place in the log before the first frame is made.
+    // Takes the client's place in the log before the first frame is made.
     private bool TryServe(BroadcastStream stream, Socket socket)
     {
         FrameFeed? feed = null;
@@ -137,7 +137,7 @@ public sealed partial class Broadcaster
         }
         catch (Exception exception)
         {
-            // It was reset before it was greeted, or the system has no thread left for it, or the recording's file is gone.
+            // The client reset the connection before it was served, the system cannot create a thread, or the recording's file is gone.
             _refused++;
             socket.Dispose();
             feed?.Close();
@@ -156,14 +156,14 @@ public sealed partial class Broadcaster
             recipient.Stream.HasServed |= recipient is TcpClientSession && recipient.HadAll;
             Monitor.PulseAll(_lock);
 
-            // A paced broadcast is ended by its pacer.
+            // The pacer ends a paced broadcast.
             bool isOver = _pacer is null && _recipients.Count == 0 && _streams.All(static stream => stream.Listener is null || stream.HasServed);
             if (isOver || error is not null)
                 Close(error);
         }
     }
 
-    // The pacer's thread, which has nothing else to do any more, sees to it that clients end in time.
+    // The pacer's thread has no other work left. It makes sure that clients end in time.
     private void OnPacerEnded(Exception? error)
     {
         lock (_lock)

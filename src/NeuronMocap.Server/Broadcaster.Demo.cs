@@ -5,24 +5,25 @@ namespace NeuronMocap.Server;
 /// <content>A server for trying things out.</content>
 public sealed partial class Broadcaster
 {
-    /// <summary>
-    /// Starts a server that needs no suit and no file: <see cref="SyntheticSource"/>s on a free TCP port of this computer, which
-    /// <see cref="LocalEndPoint"/> tells. The first frame is sent when the first client has connected.
+    /// <summary>Starts a server that needs no suit and no file.</summary>
+    /// <remarks>
+    /// The server sends <see cref="SyntheticSource"/>s on a free TCP port of this computer. Read the port from <see cref="LocalEndPoint"/>.
+    /// It sends the first frame when the first client has connected.
     /// <para>
-    /// It answers data commands on that port. A <see cref="CommandServer"/> opens its command channel:
+    /// The server answers data commands on that port. To open its command channel, create a <see cref="CommandServer"/>:
     /// <c>new CommandServer(demo, new CommandServerOptions { Port = 0 })</c>.
     /// </para>
-    /// </summary>
-    /// <param name="avatars">Number of actors, 1 to 256; each walks a ring of its own.</param>
+    /// </remarks>
+    /// <param name="avatars">Number of avatars, 1 to 256. Each walks its own ring.</param>
     /// <param name="frameRate">Frames per second.</param>
     /// <param name="rotationOrder">Order of the rotation values.</param>
-    /// <returns>A broadcaster that runs until it is disposed of.</returns>
-    /// <exception cref="ArgumentOutOfRangeException">A value is out of its range.</exception>
+    /// <returns>A broadcaster that runs until it is disposed.</returns>
+    /// <exception cref="ArgumentOutOfRangeException">A value is out of range.</exception>
     /// <exception cref="BroadcasterException">The system has no free port.</exception>
     public static Broadcaster StartDemo(int avatars = 1, double frameRate = 60, RotationOrder rotationOrder = RotationOrder.YXZ)
     {
         if (avatars is < 1 or > 256)
-            throw new ArgumentOutOfRangeException(nameof(avatars), avatars, "A demo has 1 to 256 avatars.");
+            throw new ArgumentOutOfRangeException(nameof(avatars), avatars, "The number of avatars must be 1 to 256.");
 
         var demo = new Broadcaster(new BroadcasterOptions
         {

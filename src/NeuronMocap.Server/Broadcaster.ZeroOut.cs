@@ -3,19 +3,22 @@ using NeuronMocap.Server.Sources;
 
 namespace NeuronMocap.Server;
 
-// What the command channel does with a broadcast, and has to know of it.
+// The members that the command channel uses.
 public sealed partial class Broadcaster
 {
     // Null for a recording.
     internal FramePlan? Plan => _plan;
 
-    /// <summary>
-    /// Zeroes out an avatar: turns it to face front, along Z, where it stands: from the next frame on that has not been made yet, the whole performance is turned about
-    /// the vertical through its hips. Of a motion packet only the hips' values change; calculation packets follow. May be repeated, and called at any time.
-    /// What real servers change, the direction, the position or both, is not documented.
-    /// </summary>
+    /// <summary>Zeroes out an avatar: turns it to face front, along Z, where it stands.</summary>
+    /// <remarks>
+    /// The change starts at the next frame that has not been made yet. From there on the whole motion is turned about the vertical axis through the
+    /// hips. In a motion packet only the values of the hips change. Calculation packets follow. You can call this method repeatedly and at any time.
+    /// It is not documented whether real servers change the direction, the position or both.
+    /// </remarks>
     /// <param name="avatarIndex">Index of the avatar, from 0.</param>
-    /// <returns>False when there is no such avatar, or when its hips are nowhere: not a number, or too far away to compute with.</returns>
+    /// <returns>
+    /// False if the avatar does not exist. Also false if the position of its hips is not a number or too far away to compute with.
+    /// </returns>
     public bool ZeroOut(int avatarIndex)
     {
         if ((uint)avatarIndex >= (uint)_actors.Length)
@@ -24,15 +27,15 @@ public sealed partial class Broadcaster
         return _actors[avatarIndex].FaceFront(_plan!.FrameCount);
     }
 
-    /// <summary>Does what <see cref="ZeroOut"/> does, for all avatars.</summary>
+    /// <summary>Zeroes out all avatars, as <see cref="ZeroOut"/> does.</summary>
     public void ZeroOutAll()
     {
         foreach (ZeroOutSource actor in _actors)
             actor.FaceFront(_plan!.FrameCount);
     }
 
-    // What is computed from a frame and its neighbours sees one turn in all of them: the body is turned between two frames, which no sensor would feel.
-    // A writer is given the very source that the options hold for as long as it is not turned.
+    // Values that are computed from a frame and its neighbours use the same turn in all of them. The turn happens between two frames, and no sensor
+    // would measure it. Until the source is turned, a provider receives the same source object that the options hold.
     private ZeroOutSource[] UseZeroOutSources()
     {
         ZeroOutSource[] actors = [.. _options.Sources.Select(static source => new ZeroOutSource(source))];

@@ -10,13 +10,15 @@ using NeuronMocap.Skeleton;
 namespace NeuronMocap.Server;
 
 /// <summary>
-/// Does on the network what Axis Neuron does: sends the frames of one or several avatars to any number of TCP clients, which connect and
-/// need not say anything, and to UDP destinations.
-/// <para>
-/// All members may be used from any thread. Nothing that a client does ends a broadcast or reaches another client. Threads: one listens,
-/// one makes the frames of a paced broadcast, and every receiver has one that writes to it, all in the background.
-/// </para>
+/// Sends motion over the network as Axis Neuron does: the frames of one or more avatars, to any number of TCP clients and to UDP destinations.
 /// </summary>
+/// <remarks>
+/// TCP clients only have to connect; they need not send anything. A client can neither end a broadcast nor affect another client.
+/// <para>
+/// All members are thread-safe. One thread listens, one makes the frames of a paced broadcast, and each recipient has a thread that writes to it.
+/// All of them are background threads.
+/// </para>
+/// </remarks>
 public sealed partial class Broadcaster : IDisposable, IAsyncDisposable
 {
     private static readonly TimeSpan JoinTimeout = TimeSpan.FromSeconds(5);
@@ -40,18 +42,18 @@ public sealed partial class Broadcaster : IDisposable, IAsyncDisposable
     private bool _hasBegun;
     private bool _hasEnded;
 
-    /// <summary>Makes a broadcaster that does nothing yet.</summary>
-    /// <param name="options">The settings; copied.</param>
-    /// <exception cref="ArgumentException">A setting is out of its range; the message names it.</exception>
-    /// <exception cref="NeuronException">The file of <see cref="BroadcasterOptions.RecordingPath"/> is none that can be played.</exception>
+    /// <summary>Creates a broadcaster without starting it.</summary>
+    /// <param name="options">The settings, which are copied.</param>
+    /// <exception cref="ArgumentException">A setting is out of range. The message names it.</exception>
+    /// <exception cref="NeuronException">The file of <see cref="BroadcasterOptions.RecordingPath"/> cannot be played.</exception>
     /// <exception cref="IOException">The file of <see cref="BroadcasterOptions.RecordingPath"/> cannot be read.</exception>
-    /// <exception cref="UnauthorizedAccessException">The file of <see cref="BroadcasterOptions.RecordingPath"/> may not be read.</exception>
+    /// <exception cref="UnauthorizedAccessException">Access to the file of <see cref="BroadcasterOptions.RecordingPath"/> is denied.</exception>
     public Broadcaster(BroadcasterOptions options)
         : this(options, time: null)
     {
     }
 
-    // Time: of the frames of sources; null for the real one.
+    // The time is the clock for the frames of sources. Null is the real clock.
     internal Broadcaster(BroadcasterOptions options, PacerTime? time)
     {
         _options = (options ?? throw new ArgumentNullException(nameof(options))).CopyChecked();
@@ -78,36 +80,41 @@ public sealed partial class Broadcaster : IDisposable, IAsyncDisposable
         _pacer = IsPaced ? new FramePacer([.. _streams.Select(static stream => ((FramePlan)stream.Content, stream.Log!))], FrameRate, OnPacerEnded, _report, time) : null;
     }
 
-    // Replaced by tests, which cannot use up all threads of a system.
+    // Tests replace it because they cannot use up all threads of a system.
     internal Action<Worker> StartWorker { get; init; } = static worker => worker.Start();
 
-    /// <summary>Where TCP clients connect, with the real port; null before the start and without a listener.</summary>
+    /// <summary>Address and real port where TCP clients connect. Null before the start and without a listener.</summary>
     public IPEndPoint? LocalEndPoint { get; private set; }
 
-    /// <summary>
-    /// Where TCP clients connect for calculation packets alone, with the real port; null before the start, and without
-    /// <see cref="BroadcasterOptions.CalculationPort"/> or a listener.
-    /// </summary>
+    /// <summary>Address and real port where TCP clients connect for calculation packets only.</summary>
+    /// <value>Null before the start, without a listener, or when <see cref="BroadcasterOptions.CalculationPort"/> is not set.</value>
     public IPEndPoint? CalculationEndPoint { get; private set; }
 
-    /// <summary>
-    /// Frames per second: the setting or the first source's own; <see cref="BroadcasterOptions.MaxFrameRate"/> when not paced;
-    /// 0 for a recording, which has times of its own.
-    /// </summary>
+    /// <summary>Frames per second: the setting, or the rate of the first source.</summary>
+    /// <value><see cref="BroadcasterOptions.MaxFrameRate"/> when the broadcast is not paced; 0 for a recording, which has its own times.</value>
     public double FrameRate { get; }
 
-    /// <summary>Which values the motion packets carry: the settings, and the first source where they leave it to it. Of a recording the default.</summary>
+    /// <summary>The values that motion packets carry, from the settings or else from the first source. The default value for a recording.</summary>
     public ChannelLayout Layout => _plan?.Layout ?? default;
 
-    /// <summary>
-    /// Ends when the broadcast is over. At a paced rate: the last frame was made, and all clients have read it, have left, or have used up
-    /// <see cref="BroadcasterOptions.CloseTimeout"/>. At <see cref="BroadcasterOptions.MaxFrameRate"/>: the destinations were sent everything,
-    /// at least one client of each port was, and none is left. Also ends when the broadcaster is stopped; fails when a source or a calculation writer
-    /// threw, which closes all connections, or when the system had no thread left to make the frames on.
-    /// </summary>
+    /// <summary>Completes when the broadcast is over or the broadcaster is stopped.</summary>
+    /// <remarks>
+    /// <para>
+    /// A paced broadcast is over after its last frame, when no client is left to wait for. A client is done when it has read all frames, has
+    /// disconnected, or has used up <see cref="BroadcasterOptions.CloseTimeout"/>.
+    /// </para>
+    /// <para>
+    /// A broadcast at <see cref="BroadcasterOptions.MaxFrameRate"/> is over when all data was sent and no client is left. All data must have been
+    /// sent to each destination, and to at least one client of each port.
+    /// </para>
+    /// <para>
+    /// The task fails if a source or a calculation provider throws, which closes all connections. It also fails if the system cannot create the
+    /// thread that makes the frames.
+    /// </para>
+    /// </remarks>
     public Task Completion => _completion.Task;
 
-    /// <summary>Counts what was sent since the start.</summary>
+    /// <summary>Gets the totals of what was sent since the start.</summary>
     /// <returns>A snapshot.</returns>
     public BroadcasterStatistics GetStatistics()
     {
@@ -118,7 +125,7 @@ public sealed partial class Broadcaster : IDisposable, IAsyncDisposable
         }
     }
 
-    /// <summary>The receivers that are served now, each with its numbers.</summary>
+    /// <summary>Gets the recipients that are being served, each with its counters.</summary>
     /// <returns>A new list.</returns>
     public IReadOnlyList<BroadcasterClient> GetClients()
     {
@@ -126,20 +133,22 @@ public sealed partial class Broadcaster : IDisposable, IAsyncDisposable
             return _recipients.ConvertAll(Describe);
     }
 
-    /// <summary>Tells which sensors an avatar wears.</summary>
-    /// <param name="avatarIndex">Number of the avatar, from 0.</param>
-    /// <returns>What <see cref="SetCombinationMode"/> set last; <see cref="SensorCombination.FullBody"/> at first.</returns>
-    /// <exception cref="ArgumentOutOfRangeException">There is no such avatar.</exception>
+    /// <summary>Gets which sensors an avatar wears.</summary>
+    /// <param name="avatarIndex">Index of the avatar, from 0.</param>
+    /// <returns>The last value given to <see cref="SetCombinationMode"/>; <see cref="SensorCombination.FullBody"/> at first.</returns>
+    /// <exception cref="ArgumentOutOfRangeException">The avatar does not exist.</exception>
     public SensorCombination GetCombinationMode(int avatarIndex) => GetReplies(avatarIndex).GetMode(avatarIndex);
 
     /// <summary>
-    /// Changes which sensors an avatar is said to wear, which is what <see cref="DataCommandId.CombinationMode"/> tells clients; the frames stay as
-    /// they are. Clients that registered for it are sent the new value, unless it is the old one. That a server sends a registered value when it
-    /// changes is documented, and that it does so at once, here also upon the registration, is inferred (protocol.md section 7).
+    /// Sets which sensors an avatar wears. Clients read the value with <see cref="DataCommandId.CombinationMode"/>; the frames do not change.
     /// </summary>
-    /// <param name="avatarIndex">Number of the avatar, from 0.</param>
-    /// <param name="mode">What the avatar wears; any number, for tests of clients.</param>
-    /// <exception cref="ArgumentOutOfRangeException">There is no such avatar.</exception>
+    /// <remarks>
+    /// Clients that registered for this value receive it when it changes. It is documented that a server sends a registered value when it changes.
+    /// It is inferred that the server does so at once, and also upon the registration, as this one does (protocol.md section 7).
+    /// </remarks>
+    /// <param name="avatarIndex">Index of the avatar, from 0.</param>
+    /// <param name="mode">The sensors that the avatar wears. Any number is accepted, for tests of clients.</param>
+    /// <exception cref="ArgumentOutOfRangeException">The avatar does not exist.</exception>
     public void SetCombinationMode(int avatarIndex, SensorCombination mode)
     {
         if (!GetReplies(avatarIndex).SetMode(avatarIndex, mode))
@@ -152,10 +161,10 @@ public sealed partial class Broadcaster : IDisposable, IAsyncDisposable
         }
     }
 
-    /// <summary>Takes the port, begins to listen and, unless told to wait for a client, to send.</summary>
-    /// <exception cref="BroadcasterException">The port or a destination cannot be had. The broadcaster can be started again.</exception>
-    /// <exception cref="InvalidOperationException">It was started before.</exception>
-    /// <exception cref="ObjectDisposedException">It was stopped before.</exception>
+    /// <summary>Opens the port and starts to listen. Also starts to send, unless the settings say to wait for a client.</summary>
+    /// <exception cref="BroadcasterException">The port or a destination is not available. The broadcaster can be started again.</exception>
+    /// <exception cref="InvalidOperationException">The broadcaster was started before.</exception>
+    /// <exception cref="ObjectDisposedException">The broadcaster was stopped before.</exception>
     public void Start()
     {
         lock (_lock)
@@ -175,7 +184,7 @@ public sealed partial class Broadcaster : IDisposable, IAsyncDisposable
     }
 
     /// <summary>
-    /// Closes all connections at once, without waiting for clients, and ends all threads. Returns within seconds; may be repeated.
+    /// Closes all connections at once, without waiting for clients, and ends all threads. Returns within seconds and can be called repeatedly.
     /// </summary>
     public void Stop()
     {
@@ -191,17 +200,17 @@ public sealed partial class Broadcaster : IDisposable, IAsyncDisposable
             worker?.Join(deadline);
     }
 
-    /// <summary>Does what <see cref="Stop"/> does.</summary>
+    /// <summary>Stops the broadcaster, as <see cref="Stop"/> does.</summary>
     public void Dispose() => Stop();
 
-    /// <summary>Does what <see cref="Stop"/> does, without blocking the caller.</summary>
-    /// <returns>Ends when all is closed.</returns>
+    /// <summary>Stops the broadcaster, as <see cref="Stop"/> does, without blocking the caller.</summary>
+    /// <returns>A task that completes when everything is closed.</returns>
     public ValueTask DisposeAsync() => new(Task.Run(Stop));
 
-    // A recording has none that could be asked for.
+    // A recording has no replies to data commands.
     private DataCommandReplies GetReplies(int avatarIndex) => (uint)avatarIndex < (uint)_actors.Length
         ? _replies!
-        : throw new ArgumentOutOfRangeException(nameof(avatarIndex), avatarIndex, $"The number of avatars is {_actors.Length}; the first is 0.");
+        : throw new ArgumentOutOfRangeException(nameof(avatarIndex), avatarIndex, $"The index must be at least 0 and less than the number of avatars, {_actors.Length}.");
 
     private bool IsPaced => !double.IsPositiveInfinity(FrameRate);
 
@@ -212,7 +221,7 @@ public sealed partial class Broadcaster : IDisposable, IAsyncDisposable
             IsPacketwise = _isPacketwise,
         };
 
-    // One for each port.
+    // One plan for each port.
     private static FramePlan[] CreatePlans(BroadcasterOptions options, double rate)
     {
         var names = new AvatarName[options.Sources.Count];

@@ -4,23 +4,23 @@ using System.Net.Sockets;
 namespace NeuronMocap.Server;
 
 /// <summary>
-/// A <see cref="Broadcaster"/> could not take its port or reach its destination; the message says which setting to change.
+/// The exception that a <see cref="Broadcaster"/> throws when its port or destination is not available. The message says which setting to change.
 /// </summary>
 public sealed class BroadcasterException : NeuronException
 {
-    /// <summary>Makes an exception without a message.</summary>
+    /// <summary>Creates an exception without a message.</summary>
     public BroadcasterException()
     {
     }
 
-    /// <summary>Makes an exception.</summary>
+    /// <summary>Creates an exception with a message.</summary>
     /// <param name="message">What happened and what to do.</param>
     public BroadcasterException(string message)
         : base(message)
     {
     }
 
-    /// <summary>Makes an exception with a cause.</summary>
+    /// <summary>Creates an exception with a message and a cause.</summary>
     /// <param name="message">What happened and what to do.</param>
     /// <param name="innerException">The cause.</param>
     public BroadcasterException(string message, Exception innerException)
@@ -31,29 +31,29 @@ public sealed class BroadcasterException : NeuronException
     private BroadcasterException(string setting, string message, SocketException cause)
         : base(message, cause) => Setting = setting;
 
-    /// <summary>Name of the member of <see cref="BroadcasterOptions"/> to look at; empty when there is none.</summary>
+    /// <summary>Name of the member of <see cref="BroadcasterOptions"/> to check. Empty if no setting is the cause.</summary>
     public string Setting { get; } = string.Empty;
 
     internal static BroadcasterException CannotListen(IPEndPoint endPoint, string portSetting, SocketException cause) => cause.SocketErrorCode switch
     {
         SocketError.AddressAlreadyInUse => new BroadcasterException(
             portSetting,
-            $"Port {endPoint.Port} on {endPoint.Address} is used by another program; "
-            + $"end that one, or choose another {portSetting} (0 takes any free one).",
+            $"Port {endPoint.Port} on {endPoint.Address} is used by another program. "
+            + $"Close that program, or choose another {portSetting} (0 takes any free port).",
             cause),
         SocketError.AccessDenied => new BroadcasterException(
             portSetting,
-            $"This user may not listen on port {endPoint.Port}; choose a {portSetting} from 1024 up (0 takes any free one).",
+            $"This user may not listen on port {endPoint.Port}. Choose a {portSetting} from 1024 up (0 takes any free port).",
             cause),
         _ => new BroadcasterException(
             nameof(BroadcasterOptions.BindAddress),
-            $"This machine cannot listen on the address {endPoint.Address} ({cause.SocketErrorCode}); "
-            + "set BindAddress to one of its own, or to 0.0.0.0 for all.",
+            $"This computer cannot listen on the address {endPoint.Address} ({cause.SocketErrorCode}). "
+            + "Set BindAddress to an address of this computer, or to 0.0.0.0 for all of them.",
             cause),
     };
 
     internal static BroadcasterException CannotSend(IPEndPoint destination, SocketException cause) => new(
         nameof(BroadcasterOptions.UdpDestinations),
-        $"This machine has no route to {destination}; check UdpDestinations and the network ({cause.SocketErrorCode}).",
+        $"This computer has no route to {destination} ({cause.SocketErrorCode}). Check UdpDestinations and the network.",
         cause);
 }

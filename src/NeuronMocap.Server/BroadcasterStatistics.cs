@@ -3,7 +3,7 @@ using NeuronMocap.Server.Clients;
 
 namespace NeuronMocap.Server;
 
-/// <summary>What a <see cref="Broadcaster"/> has done so far. Totals include clients that have left.</summary>
+/// <summary>Counts what a <see cref="Broadcaster"/> has sent since its start. Totals include clients that have disconnected.</summary>
 public readonly record struct BroadcasterStatistics
 {
     internal BroadcasterStatistics(int clients, int calculationClients, long accepted, long refused, in RecipientCounters counters)
@@ -21,48 +21,49 @@ public readonly record struct BroadcasterStatistics
         RequestsDropped = counters.RequestsDropped;
     }
 
-    /// <summary>TCP connections that are served now, on all ports: a client that connects to two ports counts twice.</summary>
+    /// <summary>TCP connections that are being served, on all ports. A client that connects to two ports counts twice.</summary>
     public int Clients { get; }
 
-    /// <summary>TCP connections among <see cref="Clients"/> that are served on <see cref="BroadcasterOptions.CalculationPort"/>.</summary>
+    /// <summary>TCP connections among <see cref="Clients"/> that are being served on <see cref="BroadcasterOptions.CalculationPort"/>.</summary>
     public int CalculationClients { get; }
 
     /// <summary>TCP connections that were served since the start, on all ports.</summary>
     public long Accepted { get; }
 
     /// <summary>
-    /// TCP connections that were turned away: their port had <see cref="BroadcasterOptions.MaxClients"/>, or the system had no room for one more.
+    /// TCP connections that were refused. Their port already had <see cref="BroadcasterOptions.MaxClients"/>, or the system had no resources left.
     /// </summary>
     public long Refused { get; }
 
-    /// <summary>Motion packets, or lines of text, handed to the network, of all avatars and to all receivers together.</summary>
+    /// <summary>Motion packets, or lines of text, handed to the network. The total covers all avatars and all recipients.</summary>
     public long FramesSent { get; }
 
-    /// <summary>Calculation packets, or lines of text, handed to the network, of all avatars and to all receivers together.</summary>
+    /// <summary>Calculation packets, or lines of text, handed to the network. The total covers all avatars and all recipients.</summary>
     public long CalculationFramesSent { get; }
 
-    /// <summary>
-    /// Motion and calculation packets that receivers did not get: because a TCP client fell too far behind, or because the system refused
-    /// a datagram. What UDP loses on its way nobody can count.
-    /// </summary>
+    /// <summary>Motion and calculation packets that were dropped before they reached the network.</summary>
+    /// <remarks>
+    /// A packet is dropped if a TCP client falls too far behind, or if the system refuses a datagram. Packets that UDP loses on the way cannot be
+    /// counted.
+    /// </remarks>
     public long PacketsDropped { get; }
 
-    /// <summary>Bytes handed to the network, those of replies among them.</summary>
+    /// <summary>Bytes handed to the network, including replies.</summary>
     public long BytesSent { get; }
 
-    /// <summary>Replies to commands on data connections, and values sent because somebody registered for them.</summary>
+    /// <summary>Replies to commands on data connections, including values sent to clients that registered for them.</summary>
     public long RepliesSent { get; }
 
     /// <summary>
-    /// Commands on data connections that have no answer: numbers that nobody has documented, and avatars that there are not.
+    /// Commands on data connections that have no answer: they have an undocumented number or name an avatar that does not exist.
     /// </summary>
     public long RequestsIgnored { get; }
 
-    /// <summary>Commands on data connections that were dropped because 1024 of the same client were waiting.</summary>
+    /// <summary>Commands on data connections that were dropped because 1024 commands of the same client were waiting.</summary>
     public long RequestsDropped { get; }
 }
 
-/// <summary>One receiver of a <see cref="Broadcaster"/> that is served now: a TCP client or a UDP destination.</summary>
+/// <summary>A recipient that a <see cref="Broadcaster"/> is serving: a TCP client or a UDP destination.</summary>
 public readonly record struct BroadcasterClient
 {
     internal BroadcasterClient(EndPoint? remoteEndPoint, bool isUdp, bool isCalculation, in RecipientCounters counters)
@@ -79,33 +80,33 @@ public readonly record struct BroadcasterClient
         RequestsDropped = counters.RequestsDropped;
     }
 
-    /// <summary>The receiver's address, where the system tells it.</summary>
+    /// <summary>Address of the recipient, if the system reports it.</summary>
     public EndPoint? RemoteEndPoint { get; }
 
     /// <summary>True for a UDP destination, false for a TCP client.</summary>
     public bool IsUdp { get; }
 
-    /// <summary>True for a receiver of <see cref="BroadcasterOptions.CalculationPort"/>, which gets calculation packets alone.</summary>
+    /// <summary>True for a recipient of <see cref="BroadcasterOptions.CalculationPort"/>, which receives calculation packets only.</summary>
     public bool IsCalculation { get; }
 
-    /// <summary>Motion packets handed to the network for this receiver, of all avatars together.</summary>
+    /// <summary>Motion packets handed to the network for this recipient, of all avatars.</summary>
     public long FramesSent { get; }
 
-    /// <summary>Calculation packets handed to the network for this receiver, of all avatars together.</summary>
+    /// <summary>Calculation packets handed to the network for this recipient, of all avatars.</summary>
     public long CalculationFramesSent { get; }
 
-    /// <summary>Motion and calculation packets that this receiver did not get.</summary>
+    /// <summary>Motion and calculation packets that were dropped for this recipient.</summary>
     public long PacketsDropped { get; }
 
-    /// <summary>Bytes handed to the network for this receiver, those of replies among them.</summary>
+    /// <summary>Bytes handed to the network for this recipient, including replies.</summary>
     public long BytesSent { get; }
 
-    /// <summary>Replies to this client's commands, and values sent because it registered for them.</summary>
+    /// <summary>Replies to this client's commands, including values sent because the client registered for them.</summary>
     public long RepliesSent { get; }
 
-    /// <summary>This client's commands that have no answer.</summary>
+    /// <summary>Commands of this client that have no answer.</summary>
     public long RequestsIgnored { get; }
 
-    /// <summary>This client's commands that were dropped because 1024 of them were waiting.</summary>
+    /// <summary>Commands of this client that were dropped because 1024 of them were waiting.</summary>
     public long RequestsDropped { get; }
 }

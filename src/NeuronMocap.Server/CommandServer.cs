@@ -7,20 +7,23 @@ using NeuronMocap.Server.Clients;
 namespace NeuronMocap.Server;
 
 /// <summary>
-/// The command channel of a <see cref="Broadcaster"/> (manual sections 2.3.9 to 2.3.14, protocol.md section 6): a TCP port of its own, on which clients
-/// ask for the rotation order, the sizes of the avatars' bodies and the beginning of their BVH files, and have avatars zeroed out,
-/// which turns them to face front.
-/// <para>
-/// Answers with the broadcaster's settings and sources; an avatar that there is not gets 0, or an empty answer, and so does a command that is
-/// not known. Nothing that a client sends ends the server or reaches another client: bytes that are no request are passed over, and a request that announces
-/// too much closes its connection. All members may be used from any thread. One thread listens and every client has one, all in the background.
-/// </para>
+/// Serves the command channel of a <see cref="Broadcaster"/> on its own TCP port (manual sections 2.3.9 to 2.3.14, protocol.md section 6).
 /// </summary>
+/// <remarks>
+/// Clients ask for the rotation order, the body sizes of avatars and the beginning of their BVH files. They can also zero out avatars, which turns
+/// them to face front. The answers come from the settings and sources of the broadcaster. For an avatar that does not exist, and for an unknown
+/// command, the answer is 0 or empty.
+/// <para>
+/// A client can neither end the server nor affect another client. Bytes that are not a request are skipped. A request that announces too
+/// many bytes closes its connection.
+/// </para>
+/// <para>All members are thread-safe. One background thread listens, and each client has a background thread.</para>
+/// </remarks>
 public sealed class CommandServer : IDisposable, IAsyncDisposable
 {
     private static readonly TimeSpan JoinTimeout = TimeSpan.FromSeconds(5);
 
-    // A client that has just connected is about to ask, and one that was just answered often asks again.
+    // A client that has just connected is about to send a request. A client that has just been answered often sends another.
     private static readonly long SafeTime = 2 * Stopwatch.Frequency;
 
     private readonly object _lock = new();
@@ -32,37 +35,40 @@ public sealed class CommandServer : IDisposable, IAsyncDisposable
     private ClientListener? _listener;
     private bool _hasEnded;
 
-    /// <summary>Makes a server that does nothing yet.</summary>
-    /// <param name="broadcaster">Whose avatars the commands are about; not started, stopped or disposed by the server.</param>
-    /// <param name="options">The settings, copied; null for the defaults.</param>
-    /// <exception cref="ArgumentException">A setting is out of its range; the message names it. Or the broadcaster plays a recording.</exception>
+    /// <summary>Creates a server without starting it.</summary>
+    /// <param name="broadcaster">The broadcaster whose avatars the commands concern. The server does not start, stop or dispose it.</param>
+    /// <param name="options">The settings, which are copied; null for the defaults.</param>
+    /// <exception cref="ArgumentException">
+    /// A setting is out of range, and the message names it. Or the broadcaster plays a recording.
+    /// </exception>
     public CommandServer(Broadcaster broadcaster, CommandServerOptions? options = null)
     {
         ArgumentNullException.ThrowIfNull(broadcaster);
         if (broadcaster.Plan is not { } plan)
-            throw new ArgumentException("A recording does not say what a command channel answers.", nameof(broadcaster));
+            throw new ArgumentException("A command server cannot serve a broadcaster that plays a recording.", nameof(broadcaster));
 
         _answers = new CommandAnswers(plan, broadcaster.FrameRate, broadcaster.ZeroOut, broadcaster.ZeroOutAll);
         _options = (options ?? new CommandServerOptions()).CopyChecked();
     }
 
-    // Replaced by tests.
+    // Tests replace it.
     internal Func<long> GetTimestamp { get; init; } = Stopwatch.GetTimestamp;
 
-    /// <summary>
-    /// Raised, on a thread of the server, with what a source threw when a command was to be answered. The connection of the client that asked is closed; the
-    /// server and its other clients go on. Without a handler the first exception goes to <see cref="Trace"/>. What a handler throws is not raised.
-    /// </summary>
+    /// <summary>Occurs when a source throws while the server answers a command. The argument is the exception.</summary>
+    /// <remarks>
+    /// The event is raised on a thread of the server. The server closes the connection of the client that sent the command; the server and its other
+    /// clients go on. Without a handler, the first exception goes to <see cref="Trace"/>. Exceptions that a handler throws are not raised.
+    /// </remarks>
     public event Action<Exception>? Failed
     {
         add => _report.Failed += value;
         remove => _report.Failed -= value;
     }
 
-    /// <summary>Where clients connect, with the real port; null before the start.</summary>
+    /// <summary>Address and real port where clients connect. Null before the start.</summary>
     public IPEndPoint? LocalEndPoint { get; private set; }
 
-    /// <summary>Clients that are connected now.</summary>
+    /// <summary>Number of clients that are connected.</summary>
     public int ClientCount
     {
         get
@@ -72,10 +78,10 @@ public sealed class CommandServer : IDisposable, IAsyncDisposable
         }
     }
 
-    /// <summary>Takes the port and begins to listen.</summary>
-    /// <exception cref="BroadcasterException">The port cannot be had. The server can be started again.</exception>
-    /// <exception cref="InvalidOperationException">It was started before.</exception>
-    /// <exception cref="ObjectDisposedException">It was stopped before.</exception>
+    /// <summary>Opens the port and starts to listen.</summary>
+    /// <exception cref="BroadcasterException">The port is not available. The server can be started again.</exception>
+    /// <exception cref="InvalidOperationException">The server was started before.</exception>
+    /// <exception cref="ObjectDisposedException">The server was stopped before.</exception>
     public void Start()
     {
         lock (_lock)
@@ -100,7 +106,7 @@ public sealed class CommandServer : IDisposable, IAsyncDisposable
         }
     }
 
-    /// <summary>Closes all connections at once and ends all threads. Returns within seconds; may be repeated.</summary>
+    /// <summary>Closes all connections at once and ends all threads. Returns within seconds and can be called repeatedly.</summary>
     public void Stop()
     {
         Worker?[] workers;
@@ -118,11 +124,11 @@ public sealed class CommandServer : IDisposable, IAsyncDisposable
             worker?.Join(deadline);
     }
 
-    /// <summary>Does what <see cref="Stop"/> does.</summary>
+    /// <summary>Stops the server, as <see cref="Stop"/> does.</summary>
     public void Dispose() => Stop();
 
-    /// <summary>Does what <see cref="Stop"/> does, without blocking the caller.</summary>
-    /// <returns>Ends when all is closed.</returns>
+    /// <summary>Stops the server, as <see cref="Stop"/> does, without blocking the caller.</summary>
+    /// <returns>A task that completes when everything is closed.</returns>
     public ValueTask DisposeAsync() => new(Task.Run(Stop));
 
     private void OnAccepted(Socket socket)
@@ -143,16 +149,16 @@ public sealed class CommandServer : IDisposable, IAsyncDisposable
             }
             catch (Exception exception) when (exception is SocketException or OutOfMemoryException)
             {
-                // It was reset before it was greeted, or the system has no thread left for it.
+                // The client reset the connection before it was served, or the system cannot create a thread.
                 socket.Dispose();
             }
         }
     }
 
-    // A client that connects anew has closed its old connection, whose session may not have had time to notice. Only a full server has to look.
+    // A client that reconnects has closed its old connection, but the old session may not have noticed yet. Only a full server needs to check.
     private int CountClients() => _sessions.Count < _options.MaxClients ? _sessions.Count : _sessions.Count(static session => !session.IsLeft);
 
-    // Whoever never asked gives way before whoever did: connections that only take up room push out each other.
+    // Clients that never sent a request give way before clients that did. Connections that only take up room displace each other.
     private bool TryMakeRoom()
     {
         CommandSession? oldest = _sessions

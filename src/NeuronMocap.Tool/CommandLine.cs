@@ -16,7 +16,7 @@ using NeuronMocap.Tool.Watch;
 
 namespace NeuronMocap.Tool;
 
-/// <summary>The program: its verbs, and what becomes of a command line.</summary>
+/// <summary>The program: its verbs, and the handling of a command line.</summary>
 internal static class CommandLine
 {
     public const int Done = 0;
@@ -26,7 +26,7 @@ internal static class CommandLine
 
     public const string Name = "neuron-mocap";
 
-    // What the shell sends for completion; the words behind it are those of an unfinished command line.
+    // The directive that shells send for completion. The words after it are an unfinished command line.
     private const string SuggestDirective = "[suggest";
 
     private static readonly string[] Default = ["watch", "demo"];
@@ -44,7 +44,7 @@ internal static class CommandLine
         }
         catch (Exception exception)
         {
-            // The parser asks this program's own checks, and whatever they throw is no reason for a stack trace.
+            // The parser runs this program's own checks. Their exceptions must not end in a stack trace.
             return await RefuseAsync(UsageFault.WithHelp(Name, $"the options cannot be understood: {exception.Message}"), streams);
         }
 
@@ -62,7 +62,7 @@ internal static class CommandLine
         }
         catch (IOException exception) when (WatchOutput.IsBrokenPipe(exception))
         {
-            // Whoever reads the output may leave when he has seen enough.
+            // The program that reads the output may close it at any time.
             return Done;
         }
         catch (IOException exception) when (FileFault.IsDiskFull(exception))
@@ -72,14 +72,14 @@ internal static class CommandLine
         }
         catch (Exception exception)
         {
-            // What nobody has thought of. The process ends with a sentence all the same, and the first line of the trace says where to look.
+            // An unexpected exception. The process still ends with a sentence, and the first line of the trace shows where to look.
             string? place = exception.StackTrace?.Split('\n')[0].Trim();
             await streams.ComplainAsync($"a fault of this program, please report it: {exception.GetType().Name}: {exception.Message} {place}");
             return NothingReceived;
         }
     }
 
-    /// <summary>The verbs.</summary>
+    /// <summary>Creates the root command with all verbs.</summary>
     internal static RootCommand Create(StandardStreams streams, CancellationToken cancellationToken)
     {
         var root = new RootCommand(ProgramHelp.Description);
@@ -96,7 +96,7 @@ internal static class CommandLine
         HelpOption help = root.Options.OfType<HelpOption>().Single();
         help.Action = new HelpPage(streams);
 
-        // The parser's other names of it, such as /?, look like folders to a shell that completes.
+        // A shell that completes would take the parser's other aliases, such as /?, for folders.
         foreach (string alias in help.Aliases.Where(static alias => alias is not "-h").ToArray())
             help.Aliases.Remove(alias);
 

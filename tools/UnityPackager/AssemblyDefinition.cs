@@ -2,7 +2,7 @@ using System.Text.Json;
 
 namespace NeuronMocap.UnityPackager;
 
-/// <summary>An .asmdef file: the sources below its folder, down to the next one, are one assembly.</summary>
+/// <summary>An .asmdef file. The sources below its folder, down to the next .asmdef file, form one assembly.</summary>
 internal sealed record AssemblyDefinition(
     string Path,
     string Name,
@@ -21,7 +21,7 @@ internal sealed record AssemblyDefinition(
 
     private string Folder => AssetPath.ParentOf(Path) ?? string.Empty;
 
-    /// <exception cref="JsonException">It is no JSON, or a part of it is of another type.</exception>
+    /// <exception cref="JsonException">The text is not JSON, or a part of it has the wrong type.</exception>
     public static AssemblyDefinition Parse(string path, byte[] text)
     {
         using var document = JsonDocument.Parse(text);
@@ -45,7 +45,7 @@ internal sealed record AssemblyDefinition(
 
     public static bool IsDefinition(string path) => path.EndsWith(".asmdef", StringComparison.Ordinal);
 
-    /// <summary>The definition that a source belongs to, or null.</summary>
+    /// <summary>Gets the definition to which a source belongs, or null.</summary>
     public static AssemblyDefinition? Owning(string source, IEnumerable<AssemblyDefinition> definitions) => definitions
         .Where(definition => source.StartsWith(definition.Folder + '/', StringComparison.Ordinal))
         .MaxBy(static definition => definition.Folder.Length);

@@ -2,15 +2,15 @@ using System.Diagnostics;
 
 namespace NeuronMocap.UnityPackager;
 
-/// <summary>
-/// Puts the package, libraries included, on a branch of its own, from which the package manager takes it by a git URL. Neither the work tree nor its
-/// index is touched. Main keeps no binaries, the branch nothing else than the package.
-/// </summary>
+/// <summary>Commits the complete package with its libraries to a separate branch, from which the package manager installs it by a git URL.</summary>
+/// <remarks>
+/// The work tree and its index do not change. The main branch holds no binaries, and this branch holds only the package.
+/// </remarks>
 internal sealed class GitBranch(string repository)
 {
     private const string Folder = "unity-package";
 
-    /// <summary>Commits the package, unless the branch holds these very files already.</summary>
+    /// <summary>Commits the package, unless the branch already holds the same files.</summary>
     /// <returns>The commit, and whether it is new.</returns>
     public (string Commit, bool IsNew) Commit(StagedPackage package, string branch)
     {
@@ -22,7 +22,7 @@ internal sealed class GitBranch(string repository)
             return (parent, false);
 
         string source = Run("rev-parse HEAD");
-        string message = $"{package.Name} {package.Version}, made of {source}\n";
+        string message = $"{package.Name} {package.Version}, built from {source}\n";
         string commit = Run($"commit-tree {tree}{(parent is null ? string.Empty : $" -p {parent}")} -F -", message);
         Run($"update-ref {reference} {commit} {parent ?? new string('0', commit.Length)}");
         return (commit, true);
@@ -30,7 +30,7 @@ internal sealed class GitBranch(string repository)
 
     private string WriteTree(StagedPackage package)
     {
-        // A folder of this user's alone, with a name that nobody can foresee: git opens the index by its name.
+        // A folder that only this user can access, with an unpredictable name: git opens the index by its name.
         DirectoryInfo folder = Directory.CreateTempSubdirectory("unity-packager-");
         string index = Path.Combine(folder.FullName, "index");
         try

@@ -4,26 +4,30 @@ using System.Text.RegularExpressions;
 
 namespace NeuronMocap.UnityPackager;
 
-/// <summary>The texts of Unity's .meta files: an asset's GUID, by which scenes and prefabs know it, and how it is imported.</summary>
+/// <summary>
+/// The texts of Unity's .meta files. A meta holds the asset's GUID, with which scenes and prefabs refer to it, and its import settings.
+/// </summary>
 internal static partial class MetaFile
 {
     private const string PackageName = "org.neuronmocap.unity";
     private const string Labels = "  userData: \n  assetBundleName: \n  assetBundleVariant: \n";
 
-    /// <summary>The GUID of an asset that has no meta yet, made of its path: whoever makes it gets the same one. It stays when the asset moves.</summary>
+    /// <summary>
+    /// Derives the GUID of an asset without a meta from its path, so that every build gives the same GUID. It stays when the asset moves.
+    /// </summary>
     public static string DeriveGuid(string path)
     {
         byte[] hash = SHA256.HashData(Encoding.UTF8.GetBytes($"{PackageName}/{path}"));
         return Convert.ToHexStringLower(hash.AsSpan(0, 16));
     }
 
-    /// <summary>The GUID in a meta's text, or null.</summary>
+    /// <summary>Finds the GUID in the text of a meta, or null.</summary>
     public static string? FindGuid(string text) => GuidLine().Match(text) is { Success: true } match ? match.Groups["value"].Value : null;
 
-    /// <summary>The importer that a meta's text names, or null.</summary>
+    /// <summary>Finds the importer in the text of a meta, or null.</summary>
     public static string? FindImporter(string text) => ImporterLine().Match(text) is { Success: true } match ? match.Groups["value"].Value : null;
 
-    /// <summary>A meta as Unity 2021.3 writes it.</summary>
+    /// <summary>Creates a meta as Unity 2021.3 writes it.</summary>
     public static string Create(string path, bool isFolder, string guid) =>
         $"fileFormatVersion: 2\nguid: {guid}\n{(isFolder ? Folder() : File(path))}{Labels}";
 
@@ -46,7 +50,8 @@ internal static partial class MetaFile
 
     private static string Importer(string name, string settings = "") => $"{name}:\n  externalObjects: {{}}\n{settings}";
 
-    // On every platform and in the editor; other assemblies of the project may use it without naming it; Unity checks that what it refers to is there.
+    // For every platform and the editor. Other assemblies of the project may use the library without naming it. Unity checks that its references
+    // exist.
     private const string Plugin = """
           serializedVersion: 2
           iconMap: {}

@@ -1,14 +1,14 @@
 namespace NeuronMocap.UnityPackager;
 
-/// <summary>A file of the package that is not kept in its folder, because it is built or stands elsewhere in the repository.</summary>
+/// <summary>A file of the package that is not in its folder, because it is built or lives elsewhere in the repository.</summary>
 internal sealed record MirroredFile(string Path, string Source)
 {
     public const string Libraries = "Runtime/Libraries";
 
-    /// <summary>The assemblies of the package: our own, and no other.</summary>
+    /// <summary>The assemblies of the package: only our own.</summary>
     public static IReadOnlyList<string> Assemblies { get; } = ["NeuronMocap", "NeuronMocap.Compatibility", "NeuronMocap.Server"];
 
-    /// <summary>All of them; sources are relative to the repository.</summary>
+    /// <summary>All mirrored files. Their sources are relative to the repository.</summary>
     public static IReadOnlyList<MirroredFile> All { get; } =
     [
         new("CHANGELOG.md", "CHANGELOG.md"),
@@ -19,7 +19,7 @@ internal sealed record MirroredFile(string Path, string Source)
     private static MirroredFile Library(string assembly, string extension) =>
         new($"{Libraries}/{assembly}{extension}", $"src/{assembly}/bin/{{0}}/netstandard2.1/{assembly}{extension}");
 
-    /// <summary>Where the file is taken from.</summary>
+    /// <summary>Gets the path of the source file.</summary>
     /// <param name="repository">The root of the repository.</param>
     /// <param name="configuration">Debug or Release.</param>
     public string SourceIn(string repository, string configuration) =>

@@ -1,6 +1,6 @@
 namespace NeuronMocap.UnityPackager;
 
-/// <summary>The folder unity-package of the repository: what is in it, and the metas of all that has one.</summary>
+/// <summary>The folder unity-package of the repository: its files, and the metas of all its assets.</summary>
 internal sealed class PackageFolder
 {
     private readonly string _root;
@@ -17,23 +17,23 @@ internal sealed class PackageFolder
         AssetFolders = [.. AssetPath.FoldersOf(AssetFiles).Where(AssetPath.IsAsset).Order(StringComparer.Ordinal)];
     }
 
-    /// <summary>All files, metas and hidden folders included.</summary>
+    /// <summary>All files, including metas and hidden folders.</summary>
     public IReadOnlyList<string> Files { get; }
 
-    /// <summary>The files that have a meta, mirrored ones included, whether or not they are there.</summary>
+    /// <summary>The files that have a meta, including mirrored files, whether or not they exist.</summary>
     public IReadOnlyList<string> AssetFiles { get; }
 
     /// <summary>The folders that have a meta.</summary>
     public IReadOnlyList<string> AssetFolders { get; }
 
-    /// <summary>Metas of files and folders that are not there.</summary>
+    /// <summary>Metas of files and folders that do not exist.</summary>
     public IEnumerable<string> OrphanMetas =>
         Files.Where(AssetPath.IsMeta).Where(meta => !AssetFiles.Concat(AssetFolders).Contains(AssetPath.AssetOf(meta), StringComparer.Ordinal));
 
     public string FullPath(string path) => Path.Combine(_root, path);
 
-    /// <summary>Writes the metas that are missing. Those that exist, moved together with their files or edited, stay as they are.</summary>
-    /// <returns>The paths of the new ones.</returns>
+    /// <summary>Writes missing metas. Existing metas do not change, even if they were edited or moved with their files.</summary>
+    /// <returns>The paths of the new metas.</returns>
     public IReadOnlyList<string> AddMissingMetas()
     {
         HashSet<string> guids = [.. Files.Where(AssetPath.IsMeta).Select(ReadGuid).OfType<string>()];
@@ -50,12 +50,12 @@ internal sealed class PackageFolder
         return added;
     }
 
-    /// <summary>The GUID of an asset: that of its meta, or the one that it would be given.</summary>
+    /// <summary>Gets the GUID of an asset: that of its meta, or the one that a new meta would get.</summary>
     public string GuidOf(string path) => ReadGuid(AssetPath.MetaOf(path)) ?? MetaFile.DeriveGuid(path);
 
     private string? ReadGuid(string meta) => File.Exists(FullPath(meta)) ? MetaFile.FindGuid(File.ReadAllText(FullPath(meta))) : null;
 
-    // A file that stands where another one stood before that was moved away must not get that one's.
+    // A new file at the path of a moved file must not get the GUID of the moved file.
     private static string ChooseGuid(string path, HashSet<string> taken)
     {
         string guid = MetaFile.DeriveGuid(path);

@@ -1,13 +1,14 @@
 namespace NeuronMocap.UnityPackager;
 
-/// <summary>Writes the package into folders, for those who have cloned the repository.</summary>
+/// <summary>Writes the package into folders, for users who have cloned the repository.</summary>
 internal static class PackageInstaller
 {
     /// <summary>
-    /// Puts the package among the embedded packages of a Unity project, where no manifest has to name it. One of the same name is replaced.
+    /// Installs the package as an embedded package of a Unity project, which needs no entry in the manifest. An existing package with the same name
+    /// is replaced.
     /// </summary>
-    /// <returns>Where it is.</returns>
-    /// <exception cref="PackagerException">The folder holds no Unity project.</exception>
+    /// <returns>The path of the installed package.</returns>
+    /// <exception cref="PackagerException">The folder does not hold a Unity project.</exception>
     public static string InstallInto(string project, StagedPackage package)
     {
         if (!Directory.Exists(Path.Combine(project, "Assets")) || !Directory.Exists(Path.Combine(project, "Packages")))
@@ -21,7 +22,9 @@ internal static class PackageInstaller
         return target;
     }
 
-    /// <summary>Puts what is built and mirrored into the package's own folder: a project that names that folder then has a complete package.</summary>
+    /// <summary>
+    /// Writes built and mirrored files into the package's own folder. A project that refers to that folder then has a complete package.
+    /// </summary>
     public static void CompleteInPlace(string packageFolder, StagedPackage package) =>
         Write(package.Files.Where(static file => MirroredFile.All.Any(mirrored => mirrored.Path == file.Key)), packageFolder);
 

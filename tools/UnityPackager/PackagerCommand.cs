@@ -6,8 +6,8 @@ namespace NeuronMocap.UnityPackager;
 internal sealed class PackagerCommand : RootCommand
 {
     public PackagerCommand()
-        : base("Makes the Unity package out of the folder unity-package and the netstandard2.1 libraries: NeuronMocap-VERSION.unitypackage and a "
-            + "UPM tarball. What it makes is checked, and read again. Without an option both archives, into artifacts/unity.")
+        : base("Creates the Unity package from the folder unity-package and the netstandard2.1 libraries: NeuronMocap-VERSION.unitypackage and a "
+            + "UPM tarball. Checks the archives and reads them again. Without an option, writes both archives to artifacts/unity.")
     {
         foreach (Option option in (Option[])[Output, Install, InPlace, Branch, Metas, Guid, Configuration, Repository])
             Add(option);
@@ -22,23 +22,23 @@ internal sealed class PackagerCommand : RootCommand
     public Option<DirectoryInfo?> Install { get; } = new("--install")
     {
         HelpName = "PROJECT",
-        Description = "Put the package into a Unity project, under Packages. One that is there is replaced.",
+        Description = "Put the package into a Unity project, under Packages. An existing one is replaced.",
     };
 
     public Option<bool> InPlace { get; } = new("--in-place")
     {
-        Description = "Put libraries, changelog and licence into unity-package itself, for projects that name that folder (\"file:../../unity-package\").",
+        Description = "Put libraries, changelog and licence into unity-package itself, for projects that refer to that folder (\"file:../../unity-package\").",
     };
 
     public Option<string?> Branch { get; } = new("--branch")
     {
         HelpName = "NAME",
-        Description = "Commit the complete package to this branch of the repository, for git URLs. The work tree stays as it is.",
+        Description = "Commit the complete package to this branch of the repository, for git URLs. The work tree does not change.",
     };
 
     public Option<bool> Metas { get; } = new("--metas")
     {
-        Description = "Write the metas that are missing, remove those whose files are gone, and do nothing else.",
+        Description = "Write missing metas, remove metas whose files are gone, and do nothing else.",
     };
 
     public Option<string?> Guid { get; } = new("--guid")
@@ -50,7 +50,7 @@ internal sealed class PackagerCommand : RootCommand
     public Option<string> Configuration { get; } = new("--configuration")
     {
         HelpName = "NAME",
-        Description = "Which build of the libraries to take. Default: Release.",
+        Description = "The build of the libraries to use. Default: Release.",
         DefaultValueFactory = static _ => "Release",
     };
 

@@ -1,4 +1,4 @@
 namespace NeuronMocap.UnityPackager;
 
-/// <summary>The package cannot be made, and why.</summary>
+/// <summary>The exception for a package that cannot be created. The message says why.</summary>
 internal sealed class PackagerException(string message) : Exception(message);

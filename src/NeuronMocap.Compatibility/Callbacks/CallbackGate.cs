@@ -2,20 +2,20 @@ using System.Diagnostics;
 
 namespace NeuronMocap.Compatibility.Callbacks;
 
-// Lets the callbacks of one socket begin until it is closed, and tells whether one runs. Closing waits for those that run, but not for long: they may
-// wait for the very thread that closes.
+// Allows the callbacks of one socket until the socket is closed, and knows whether a callback is running. Closing waits for running callbacks, but
+// only briefly, because a callback may wait for the thread that closes.
 internal sealed class CallbackGate
 {
     private static readonly object Lock = new();
 
-    // Those in which callbacks may run: of sockets that are open, and of closed ones whose last callback has not ended.
+    // The gates in which callbacks may run: those of open sockets, and those of closed sockets whose last callback has not ended.
     private static readonly HashSet<CallbackGate> Gates = [];
     private static bool _isProcessEnding;
 
-    // Under the lock. Threads in status callbacks, which are rare, may be any, and several at once.
+    // Guarded by the lock. Status callbacks are rare. They may run on any thread, and several may run at once.
     private readonly List<int> _reportingThreads = [];
 
-    // The thread in a callback of the stream, 0 for none. There is one at a time, which alone writes this.
+    // The thread that runs a callback of the stream, or 0. Only one thread at a time runs such a callback, and only that thread writes this field.
     private volatile int _deliveringThread;
     private volatile bool _isClosed;
 
@@ -30,10 +30,11 @@ internal sealed class CallbackGate
 
     private bool IsIdle => _deliveringThread == 0 && _reportingThreads.Count == 0;
 
-    // Receive thread. Where it is true, EndDelivery has to follow.
+    // Receive thread. If it returns true, EndDelivery must follow.
     public bool TryBeginDelivery()
     {
-        // Says that it begins before it looks, as Close closes before it looks: one of the two sees the other.
+        // This method announces the callback before it checks for closing. Close announces closing before it checks for callbacks. So one of them
+        // sees the other.
         _deliveringThread = Environment.CurrentManagedThreadId;
         Interlocked.MemoryBarrier();
         if (!_isClosed)
@@ -50,7 +51,7 @@ internal sealed class CallbackGate
             Retire();
     }
 
-    // Any thread. Where it is true, EndTelling has to follow, on the same thread. The end is told after closing, by the thread that closes.
+    // Any thread. If it returns true, EndReport must follow on the same thread. The closing thread reports the end, after closing.
     public bool TryBeginReport(bool isEnd)
     {
         lock (Lock)
@@ -71,7 +72,7 @@ internal sealed class CallbackGate
         Retire();
     }
 
-    // From here on no callback begins.
+    // No callback starts after this call.
     public void Close()
     {
         _isClosed = true;
@@ -79,13 +80,13 @@ internal sealed class CallbackGate
         Retire();
     }
 
-    // Whether no callback runs, those aside that the calling thread is in.
+    // Waits until no callback runs, except callbacks on the calling thread. Returns false on a time-out.
     public bool WaitUntilIdle(TimeSpan timeout) => Wait(() => IsBusyOnOtherThread, timeout);
 
-    // The same for status callbacks alone.
+    // Waits like WaitUntilIdle, but for status callbacks only.
     public bool WaitUntilReported(TimeSpan timeout) => Wait(() => IsReportingOnOtherThread, timeout);
 
-    // As the one of a gate, for all callbacks that closing did not wait for.
+    // Waits like WaitUntilIdle, but for the callbacks of all closed gates. Closing did not wait for these callbacks.
     public static bool WaitUntilClosedAreIdle(TimeSpan timeout) => Wait(
         static () =>
         {
@@ -94,7 +95,7 @@ internal sealed class CallbackGate
         },
         timeout);
 
-    // No callback of any socket begins any more, and the objects that callbacks use are about to be destroyed.
+    // After this call no callback of any socket starts. The objects that callbacks use are about to be destroyed.
     public static bool EndProcess(TimeSpan timeout)
     {
         lock (Lock)
@@ -127,7 +128,7 @@ internal sealed class CallbackGate
         }
     }
 
-    // By looking: a signal would cost every callback what only closing needs.
+    // Polls. A signal would slow down every callback, although only closing needs it.
     private static bool Wait(Func<bool> isBusy, TimeSpan timeout)
     {
         var watch = Stopwatch.StartNew();
@@ -142,7 +143,7 @@ internal sealed class CallbackGate
         return true;
     }
 
-    // All of them: a delivery that ends while its gate is closed may not see that, and its gate stays until the next one.
+    // Removes all idle closed gates. A delivery that ends while its gate is closed may not notice it. Its gate then stays until the next call.
     private static void Retire()
     {
         lock (Lock)

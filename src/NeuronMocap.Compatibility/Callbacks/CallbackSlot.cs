@@ -1,7 +1,7 @@
 namespace NeuronMocap.Compatibility.Callbacks;
 
-// One callback and the object that is passed to it. Both change together, but the callback may stand in a public field, which programs also
-// set without asking; they then get the object that was registered last.
+// One callback and the object that is passed to it. Registration changes both together. The callback may also be a public field, which programs can
+// set directly. Such a callback gets the object that was registered last.
 internal sealed class CallbackSlot<THandler>
     where THandler : Delegate
 {

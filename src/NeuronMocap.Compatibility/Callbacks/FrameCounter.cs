@@ -3,7 +3,7 @@ namespace NeuronMocap.Compatibility.Callbacks;
 // Counts the frames of each avatar of each sender from 0, for streams that carry no frame index.
 internal sealed class FrameCounter
 {
-    // Avatars come from the network; those beyond so many share one count.
+    // Avatar numbers come from the network. Avatars beyond this limit share one counter.
     private const int MaxAvatars = 1024;
 
     private readonly Dictionary<(int Sender, int Avatar), uint> _next = [];

@@ -1,9 +1,9 @@
 namespace NeuronMocap.Compatibility.Callbacks;
 
-// The registered callbacks of one of the two namespaces. The methods call them, and throw what they throw.
+// The registered callbacks of one of the two namespaces. The methods call them and let their exceptions through.
 internal interface IVendorCallbacks
 {
-    // The layout of the headers that OnFrame is given, in whatever layout frames came: one struct then fits every frame.
+    // The header layout that OnFrame receives, whatever the layout of the stream. One struct therefore fits every frame.
     HeaderLayout FrameHeaders { get; }
 
     bool WantsFrames { get; }
@@ -21,7 +21,7 @@ internal interface IVendorCallbacks
     void OnCommand(IntPtr socket, IntPtr header, IntPtr data);
 }
 
-// The vendor's SocketStatus, which exists once in each namespace; the numbers are the same.
+// The vendor's SocketStatus exists once in each namespace, with the same numbers.
 internal enum SocketState
 {
     Running,

@@ -3,7 +3,7 @@ using NeuronMocap.Protocol;
 
 namespace NeuronMocap.Compatibility.Callbacks;
 
-// Gives packets of one connection to the callbacks, as images in unmanaged memory. Receive thread only.
+// Passes the packets of one connection to the callbacks, as images in unmanaged memory. Receive thread only.
 internal sealed class PacketDelivery(IVendorCallbacks callbacks, CallbackGate gate)
 {
     private readonly PacketMemory _memory = new();
@@ -11,8 +11,8 @@ internal sealed class PacketDelivery(IVendorCallbacks callbacks, CallbackGate ga
     private readonly FrameCounter _calculationCounter = new();
     private Exception? _reported;
 
-    // The header is that of b15 unless that of b12 is asked for, and its version says so: one struct fits every frame. Packets that have it are their
-    // own images.
+    // The header is that of b15, or that of b12 if the callbacks ask for it. Its version matches, so one struct fits every frame. A packet that
+    // already has this header is used as it is.
     public void Deliver(IntPtr socket, MotionFrame frame)
     {
         if (!callbacks.WantsFrames)
@@ -39,7 +39,7 @@ internal sealed class PacketDelivery(IVendorCallbacks callbacks, CallbackGate ga
         Call(PacketKind.Calculation, socket, hasData: true);
     }
 
-    // What follows the header has an address only where something does.
+    // The data pointer is zero if nothing follows the header.
     public void Deliver(IntPtr socket, DataCommandReply reply)
     {
         if (!callbacks.WantsCommands)
@@ -52,12 +52,12 @@ internal sealed class PacketDelivery(IVendorCallbacks callbacks, CallbackGate ga
     // Whether a callback threw this exception.
     public bool HasReported(Exception exception) => ReferenceEquals(exception, _reported);
 
-    // The reserved fields have other meanings in the two layouts: a timecode would be read as IsCompressed.
+    // The reserved fields have different meanings in the two layouts: a timecode would be read as IsCompressed.
     private static MotionHeader OldHeaderOf(MotionHeader header) => header.Version != DataVersion.None && header.Layout == HeaderLayout.Old
         ? header
         : header with { Version = DataVersion.Old, Reserved1 = 0, Reserved2 = 0 };
 
-    // Enters the gate last of all: no callback begins after closing, however long this thread was held up on its way here.
+    // Enters the gate last, so that no callback starts after closing, however long this thread was delayed before.
     private void Call(PacketKind kind, IntPtr socket, bool hasData)
     {
         if (!gate.TryBeginDelivery())
@@ -76,7 +76,8 @@ internal sealed class PacketDelivery(IVendorCallbacks callbacks, CallbackGate ga
         }
         catch (Exception exception)
         {
-            // Before the gate is left: whoever is told may wait for the thread that closes, too. Goes on to the reader, which counts it.
+            // Reported before the gate is left, because the handler may also wait for the thread that closes. The exception continues to the reader,
+            // which counts it.
             _reported = exception;
             CompatibilityEvents.Report(exception);
             throw;
@@ -88,7 +89,7 @@ internal sealed class PacketDelivery(IVendorCallbacks callbacks, CallbackGate ga
         }
     }
 
-    // Programs may keep the address, and look at a frame after their callback: it stays that of the newest one while the connection lasts.
+    // Programs may keep the address and read a frame after their callback. While the connection lasts, the address always holds the newest frame.
     private Span<byte> Copy(ReadOnlySpan<byte> packet)
     {
         Span<byte> image = _memory.Take(packet.Length);

@@ -4,7 +4,7 @@ using NeuronMocap.Compatibility.Callbacks;
 
 namespace NeuronMocap.Compatibility.Sockets;
 
-// A command connection. It calls no callback, and after a time-out it can be used again.
+// A command connection. It calls no callback, and it can be used again after a time-out.
 internal sealed class CommandSocket : VendorSocket
 {
     private static readonly TimeSpan OpenTimeout = TimeSpan.FromSeconds(5);
@@ -24,7 +24,7 @@ internal sealed class CommandSocket : VendorSocket
         }
         catch (ArgumentException)
         {
-            // No port has that number, or no computer that name: opening fails.
+            // The port number is out of range or the computer name is invalid, so opening fails.
         }
     }
 
@@ -34,7 +34,8 @@ internal sealed class CommandSocket : VendorSocket
 
     public override SocketState State => _client?.IsLeft == true ? SocketState.OffWork : base.State;
 
-    // False for everything that is no right answer. What cannot be one leaves a last error, a server that refuses or does not answer leaves none. Blocks on the client's own task: one that goes on after it would need a thread of the pool.
+    // Returns false for everything that is not a correct answer. An impossible answer sets the last error. A server that refuses or does not answer
+    // leaves the last error unchanged. Blocks on the client's own task, because a continuation would need a thread of the pool.
     public bool TryCall(Func<NeuronCommandClient, Task> call)
     {
         if (_client is null || IsClosed)
@@ -48,7 +49,7 @@ internal sealed class CommandSocket : VendorSocket
         }
         catch (NeuronCommandException exception)
         {
-            // The client connects again when it is asked the next time.
+            // The client connects again at the next request.
             if (exception.Reason is CommandFailure.Closed or CommandFailure.Refused or CommandFailure.NotConnected or CommandFailure.HostNotFound)
                 SetOver();
             else if (exception.Reason is CommandFailure.InvalidReply)
@@ -56,7 +57,7 @@ internal sealed class CommandSocket : VendorSocket
         }
         catch (Exception exception) when (exception is ObjectDisposedException or ArgumentOutOfRangeException)
         {
-            // Closed meanwhile, or an avatar that cannot be.
+            // The connection was closed meanwhile, or the avatar number is invalid.
         }
 
         return false;
@@ -76,7 +77,7 @@ internal sealed class CommandSocket : VendorSocket
         return false;
     }
 
-    // Its thread may be waiting for an answer about a name, which cannot be cut short.
+    // The client's thread may be resolving a name, which cannot be cancelled.
     protected override void BeginRelease() => _released = _client?.DisposeAsync().AsTask() ?? Task.CompletedTask;
 
     protected override void WaitUntilReleased() => _released.Wait(CloseTimeout);

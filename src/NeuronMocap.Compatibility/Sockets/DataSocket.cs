@@ -3,10 +3,10 @@ using NeuronMocap.Compatibility.Callbacks;
 
 namespace NeuronMocap.Compatibility.Sockets;
 
-// A connection or service that receives frames: a reader that never connects again by itself, as scripts do that.
+// A connection or service that receives frames. Its reader does not reconnect, because scripts reconnect themselves.
 internal abstract class DataSocket : VendorSocket
 {
-    // The vendor's library gives up after about as long.
+    // The vendor's library gives up after about the same time.
     private static readonly TimeSpan OpenTimeout = TimeSpan.FromSeconds(5);
 
     private readonly NeuronReader? _reader;
@@ -25,7 +25,7 @@ internal abstract class DataSocket : VendorSocket
         }
         catch (ArgumentException)
         {
-            // No port has that number, or no computer that name: opening fails.
+            // The port number is out of range or the computer name is invalid, so opening fails.
             return;
         }
 
@@ -52,18 +52,18 @@ internal abstract class DataSocket : VendorSocket
         };
     }
 
-    // Null where there can be no connection. Commands are sent in whatever state the reader is; it says false where they cannot be.
+    // Null if a connection is impossible. Commands may be called in any state of the reader. They return false if they cannot be sent.
     public DataCommands? Commands => _reader?.DataCommands;
 
     protected IVendorCallbacks Callbacks { get; }
 
-    // The system's number of what went wrong, or null when the reader receives.
+    // Returns the system's error number, or null when the reader receives.
     protected int? StartReader()
     {
         if (_reader is null)
             return SystemError.InvalidArgument;
 
-        // Waited for on this thread alone: a busy process may have no other for a while.
+        // Waits on this thread alone. A busy process may have no other thread available for a while.
         Task started = _reader.StartAsync();
         bool isOver = Task.WaitAny([started], OpenTimeout) >= 0;
         if (isOver && started.IsCompletedSuccessfully)
@@ -79,7 +79,7 @@ internal abstract class DataSocket : VendorSocket
 
     protected override void WaitUntilReleased() => _reader?.Dispose();
 
-    // The connection stood, and ended without being closed here. On a thread of the reader, after its last frame.
+    // The connection was open, and it ended without being closed here. Runs on a thread of the reader, after its last frame.
     protected abstract void OnEnded(ConnectionReason reason);
 
     private void OnReaderStatus(ConnectionStatus status)
@@ -97,7 +97,7 @@ internal abstract class DataSocket : VendorSocket
         _reader!.Dispose();
     }
 
-    // Receive thread. The first frame may be here before the opening thread has told that there is a connection.
+    // Receive thread. The first frame may arrive before the opening thread has reported the connection.
     private bool IsReceiving()
     {
         WaitUntilOpenReported();

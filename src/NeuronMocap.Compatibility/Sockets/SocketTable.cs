@@ -9,7 +9,7 @@ internal static class SocketTable
     private static readonly Dictionary<IntPtr, VendorSocket> Sockets = [];
     private static int _lastHandle;
 
-    // The handle of the socket, or of one that already is what it shall become, or zero.
+    // Returns the handle of the socket, or of an existing socket to the same target, or zero.
     public static IntPtr Open(VendorSocket socket)
     {
         bool isOpen = false;
@@ -49,7 +49,8 @@ internal static class SocketTable
             Sockets.Remove(socket.Handle);
     }
 
-    // Enters the socket where there is none, and replaces a dead one, whose handle then means nothing and is never used again.
+    // Adds the socket if the table has no socket to the same target. A dead socket is replaced. Its handle then becomes invalid and is never used
+    // again.
     private static VendorSocket? FindSame(VendorSocket socket)
     {
         VendorSocket? other;

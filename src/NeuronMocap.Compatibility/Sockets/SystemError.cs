@@ -2,7 +2,7 @@ using System.Net.Sockets;
 
 namespace NeuronMocap.Compatibility.Sockets;
 
-// The number that the last error ends with.
+// The number at the end of the last error.
 internal static class SystemError
 {
     public static int CodeOf(ConnectionReason reason) => CodeOf(reason switch
@@ -20,7 +20,7 @@ internal static class SystemError
 
     public static int InvalidArgument => CodeOf(SocketError.InvalidArgument);
 
-    // The system's own number, where it has one; a name without an address is no error of a socket, and has Windows' number everywhere.
+    // The system's own number if it has one. A name without an address is not a socket error and has Windows' number on all systems.
     private static int CodeOf(SocketError error) => error is SocketError.HostNotFound or SocketError.SocketError
         ? (int)error
         : new SocketException((int)error).ErrorCode;

@@ -2,7 +2,7 @@ using NeuronMocap.Compatibility.Callbacks;
 
 namespace NeuronMocap.Compatibility.Sockets;
 
-// A TCP connection, and the status callbacks that tell its course (protocol.md section 10; spelling as there).
+// A TCP connection, and the status callbacks that report its state (protocol.md section 10; the spelling is the same as there).
 internal sealed class TcpDataSocket(IVendorCallbacks callbacks, string host, int port)
     : DataSocket(callbacks, new NeuronReaderOptions { Host = host, Port = port })
 {
@@ -53,7 +53,7 @@ internal sealed class TcpDataSocket(IVendorCallbacks callbacks, string host, int
         Report(SocketState.Running, "Data thread exited.\n");
     }
 
-    // What happens behind the back of whoever has closed the connection is not told.
+    // Events on other threads are not reported once the program has closed the connection.
     private void Report(SocketState status, string message) => Invoke(status, message, isEnd: false);
 
     private void Invoke(SocketState status, string message, bool isEnd)

@@ -2,7 +2,7 @@ using NeuronMocap.Compatibility.Callbacks;
 
 namespace NeuronMocap.Compatibility.Sockets;
 
-// A UDP service. As in the vendor's library it shares its port and calls no status callback.
+// A UDP service. As in the vendor's library, it shares its port and calls no status callback.
 internal sealed class UdpDataSocket(IVendorCallbacks callbacks, int port)
     : DataSocket(callbacks, new NeuronReaderOptions { Transport = TransportKind.Udp, Port = port, SharePort = true })
 {

@@ -2,14 +2,14 @@ using NeuronMocap.Compatibility.Callbacks;
 
 namespace NeuronMocap.Compatibility.Sockets;
 
-// What a handle stands for. Open is called once, by the thread that asked for the handle; Dispose, which closes it, by anyone at any time.
+// The object behind a handle. Open is called once, by the thread that asked for the handle. Dispose closes the socket, on any thread and at any time.
 internal abstract class VendorSocket : IDisposable
 {
-    // How long closing waits for a callback that runs, about as long as the vendor's libraries. It may wait for the thread that closes. Set by tests: on a
-    // busy machine the system holds any callback up for longer.
+    // How long closing waits for a running callback, about as long as the vendor's libraries. The callback may wait for the thread that closes. Tests
+    // set a longer time, because any callback can be delayed on a busy machine.
     public static TimeSpan CloseTimeout { get; set; } = TimeSpan.FromMilliseconds(75);
 
-    // How many this thread is opening: a callback of one may ask for another.
+    // The number of sockets that this thread is opening. A callback during one opening may ask for another socket.
     [ThreadStatic]
     private static int _opening;
 
@@ -19,7 +19,7 @@ internal abstract class VendorSocket : IDisposable
     private volatile bool _hasEnded;
     private int _isClosed;
 
-    // Given by the table.
+    // Set by the table.
     public IntPtr Handle { get; set; }
 
     public virtual SocketState State => (_hasEnded || IsClosed, _isOpen) switch
@@ -29,12 +29,12 @@ internal abstract class VendorSocket : IDisposable
         _ => SocketState.Starting,
     };
 
-    // Whatever the program's callbacks are called through.
+    // The gate through which the program's callbacks are called.
     protected CallbackGate Gate { get; } = new();
 
     protected bool IsClosed => Volatile.Read(ref _isClosed) != 0;
 
-    // Whether another call asks for what this one already is.
+    // Whether this socket already has the target of the other one.
     public abstract bool IsTo(VendorSocket other);
 
     public bool Open()
@@ -48,7 +48,7 @@ internal abstract class VendorSocket : IDisposable
         }
         finally
         {
-            // The program may interrupt or abort its thread, and others wait for this one.
+            // The program may interrupt or abort its thread while other threads wait for this one.
             if (!stands)
                 _hasEnded = true;
 
@@ -57,8 +57,8 @@ internal abstract class VendorSocket : IDisposable
         }
     }
 
-    // For whoever asks for a connection that somebody is making. A callback on a thread that makes one itself does not wait: it may be this one, or one
-    // whose callback asks for that of the caller.
+    // Waits for a connection that another thread is opening. A callback on a thread that is itself opening a socket does not wait: it may be waiting
+    // for that very socket, or for a socket whose callback waits for the caller's socket.
     public bool WaitUntilOpen()
     {
         if (_opening == 0)
@@ -69,8 +69,8 @@ internal abstract class VendorSocket : IDisposable
 
     public void Dispose() => Close(CloseTimeout);
 
-    // False where a callback still runs that is waited for no longer. None begins after this, whoever closes how often: one thread tells the end, and
-    // the others wait for that, too.
+    // Returns false if a callback is still running after the timeout. No callback starts after this method, however many threads close the socket.
+    // One thread reports the end, and the other threads wait for the report.
     public bool Close(TimeSpan timeout)
     {
         bool isFirst = Interlocked.Exchange(ref _isClosed, 1) == 0;
@@ -103,7 +103,7 @@ internal abstract class VendorSocket : IDisposable
         }
     }
 
-    // One that nobody has a handle of, or that is replaced: it has ended already, and nobody closes it.
+    // For a socket without a handle, or one that is replaced. It has already ended, and no caller closes it.
     public void Abandon()
     {
         Volatile.Write(ref _isClosed, 1);
@@ -112,20 +112,20 @@ internal abstract class VendorSocket : IDisposable
         BeginRelease();
     }
 
-    // Whether it stands.
+    // Returns whether the connection or service is open.
     protected abstract bool TryOpen();
 
-    // Ends everything, as far as that can be done without waiting.
+    // Ends everything, as far as possible without waiting.
     protected abstract void BeginRelease();
 
-    // No callback runs. Returns when nothing else does, or when that takes very long.
+    // Called when no callback runs. Returns when all other work has ended, or after a long time-out.
     protected abstract void WaitUntilReleased();
 
     protected virtual void OnClosed()
     {
     }
 
-    // The end is being told: it has come before whoever else closes returns.
+    // The end is being reported. Other threads that close the socket return only after the report.
     protected void SetEndReported() => _endReported.Set();
 
     protected void SetOpen()
@@ -136,7 +136,7 @@ internal abstract class VendorSocket : IDisposable
 
     protected void SetOver() => _hasEnded = true;
 
-    // Holds frames and the end of a connection back until its beginning was told.
+    // Delays frames and the end of a connection until its start has been reported.
     protected void WaitUntilOpenReported()
     {
         if (!_opened.IsSet)

@@ -2,33 +2,35 @@ using System.Runtime.InteropServices;
 
 namespace NeuronDataReaderWraper;
 
-/// <summary>Header of a command's answer on the data connection, 64 bytes (protocol.md section 2.6).</summary>
+/// <summary>Header of an answer to a command on the data connection, 64 bytes (protocol.md section 2.6).</summary>
 [StructLayout(LayoutKind.Sequential, Pack = 1)]
 public struct CommandPack
 {
-    /// <summary>0xAAFF.</summary>
+    /// <summary>The start token, 0xAAFF.</summary>
     public ushort Token1;
 
     /// <summary>Version of the command format.</summary>
     public uint DataVersion;
 
-    /// <summary>Bytes of the packet. Servers are not exact about it; <see cref="DataCount"/> tells how much follows.</summary>
+    /// <summary>
+    /// Length of the packet in bytes. Servers are not exact about it. <see cref="DataCount"/> gives the amount of data that follows.
+    /// </summary>
     public uint DataLength;
 
-    /// <summary>Entries that follow: bone sizes, or bytes of text.</summary>
+    /// <summary>Number of entries that follow: bone sizes, or bytes of text.</summary>
     public uint DataCount;
 
-    /// <summary>What is answered.</summary>
+    /// <summary>The command that is answered.</summary>
     public CmdId CommandId;
 
-    /// <summary>Parameters, 40 bytes; their meaning depends on the command.</summary>
+    /// <summary>Parameters, 40 bytes. Their meaning depends on the command.</summary>
     [MarshalAs(UnmanagedType.ByValArray, SizeConst = 40)]
     public byte[] CmdParaments;
 
-    /// <summary>As sent.</summary>
+    /// <summary>Reserved, as sent by the server.</summary>
     public uint Reserved1;
 
-    /// <summary>0xBBFF.</summary>
+    /// <summary>The end token, 0xBBFF.</summary>
     public ushort Token2;
 }
 
@@ -40,7 +42,7 @@ public struct CmdResponseBoneSize
     [MarshalAs(UnmanagedType.ByValTStr, SizeConst = 60)]
     public string BoneName;
 
-    /// <summary>Its length, in the server's unit.</summary>
+    /// <summary>Length of the bone, in the unit of the server.</summary>
     public float BoneLength;
 }
 
@@ -69,7 +71,7 @@ public struct BoneDimension
     /// <summary>Length of the hand.</summary>
     public float Palm;
 
-    /// <summary>Width of the hip.</summary>
+    /// <summary>Width of the hips.</summary>
     public float HipWidth;
 
     /// <summary>Length of the upper leg.</summary>

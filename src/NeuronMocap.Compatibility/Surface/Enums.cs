@@ -3,18 +3,18 @@ namespace NeuronDataReaderWraper;
 /// <summary>State of a connection or service (manual section 2.1.1).</summary>
 public enum SocketStatus
 {
-    /// <summary>Working correctly.</summary>
+    /// <summary>The connection or service works.</summary>
     CS_Running,
 
-    /// <summary>Trying to start.</summary>
+    /// <summary>The connection or service is starting.</summary>
     CS_Starting,
 
-    /// <summary>Not working: never opened, failed, closed, or left by the server.</summary>
+    /// <summary>The connection or service does not work: it was never opened, failed, was closed, or was ended by the server.</summary>
     CS_OffWork,
 }
 
 /// <summary>
-/// Commands. 0 to 8 are those of the data connection (protocol.md section 7), 1001 to 1005 those of the command channel (manual section
+/// Commands. 0 to 8 belong to the data connection (protocol.md section 7). 1001 to 1005 belong to the command channel (manual section
 /// 2.1.5, protocol.md section 2.4).
 /// </summary>
 public enum CmdId
@@ -25,7 +25,7 @@ public enum CmdId
     /// <summary>Name of an avatar.</summary>
     Cmd_AvatarName,
 
-    /// <summary>Direction that an avatar faces.</summary>
+    /// <summary>Direction in which an avatar faces.</summary>
     Cmd_FaceDirection,
 
     /// <summary>Frames per second of an avatar.</summary>
@@ -37,25 +37,29 @@ public enum CmdId
     /// <summary>Number of avatars.</summary>
     Cmd_AvatarCount,
 
-    /// <summary>Sensors worn: <see cref="SensorCombinationModes"/>.</summary>
+    /// <summary>Sensors that an avatar wears: <see cref="SensorCombinationModes"/>.</summary>
     Cmd_CombinationMode,
 
     /// <summary>Asks the server to send a value whenever it changes.</summary>
     Cmd_RegisterEvent,
 
-    /// <summary>The C# wrapper's name of number 8, by which the C library ends what <see cref="Cmd_RegisterEvent"/> began.</summary>
+    /// <summary>
+    /// Name of command 8 in the C# wrapper. The C library uses this command to end what <see cref="Cmd_RegisterEvent"/> started.
+    /// </summary>
     Cmd_SetAvatarName,
 
-    /// <summary>Command channel: zeroes out one avatar. What that changes, the direction, the position or both, is not documented.</summary>
+    /// <summary>
+    /// Command channel: zeroes out one avatar. It is not documented whether this changes the direction, the position or both.
+    /// </summary>
     Cmd_ZeroOutPosition = 1001,
 
-    /// <summary>Command channel: as <see cref="Cmd_ZeroOutPosition"/>, for all avatars.</summary>
+    /// <summary>Command channel: zeroes out all avatars, as <see cref="Cmd_ZeroOutPosition"/> does for one.</summary>
     Cmd_ZeroOutAllAvatar,
 
     /// <summary>Command channel: rotation order of the BVH data.</summary>
     Cmd_BvhRotation,
 
-    /// <summary>Command channel: lengths of the bones. The C header calls it Cmd_BoneSize too, a name that is taken here.</summary>
+    /// <summary>Command channel: lengths of the bones. The C header also calls it Cmd_BoneSize, a name that is already used here.</summary>
     Cmd_BoneDimension,
 
     /// <summary>Command channel: BVH header text.</summary>
@@ -75,13 +79,13 @@ public enum SensorCombinationModes
     SC_FullBody,
 }
 
-/// <summary>Orders in which the three angles of a rotation stand (manual section 2.1.9).</summary>
+/// <summary>Orders of the three angles of a rotation (manual section 2.1.9).</summary>
 public enum RotateOrders
 {
     /// <summary>X, then Z, then Y.</summary>
     RO_XZY,
 
-    /// <summary>Y, then X, then Z: Axis Neuron's default.</summary>
+    /// <summary>Y, then X, then Z. This is Axis Neuron's default.</summary>
     RO_YXZ,
 
     /// <summary>X, then Y, then Z.</summary>
@@ -96,6 +100,6 @@ public enum RotateOrders
     /// <summary>Z, then Y, then X.</summary>
     RO_ZYX,
 
-    /// <summary>Not known.</summary>
+    /// <summary>The order is unknown.</summary>
     RO_Unknown,
 }

@@ -20,57 +20,59 @@ public struct DataVersion
 }
 
 /// <summary>
-/// Header of a frame of BVH data (manual section 2.1.3), 64 bytes: what the header pointer of <see cref="FrameDataReceived"/> points to.
-/// A frame that came with the old header, or as text, has this layout too: its version is then 1.1.0.0 and its frame index counted here.
+/// Header of a frame of BVH data, 64 bytes (manual section 2.1.3). The header pointer of <see cref="FrameDataReceived"/> points to it.
 /// </summary>
+/// <remarks>
+/// A frame that arrived with the old header or as text has this layout, too. Its version is then 1.1.0.0, and this library counts its frame index.
+/// </remarks>
 [StructLayout(LayoutKind.Sequential, Pack = 1)]
 public struct BvhDataHeader
 {
-    /// <summary>0xDDFF.</summary>
+    /// <summary>The start token, 0xDDFF.</summary>
     public ushort Token1;
 
     /// <summary>Version of the data format.</summary>
     public DataVersion DataVersion;
 
-    /// <summary>Number of floats of the frame.</summary>
+    /// <summary>Number of floats in the frame.</summary>
     public ushort DataCount;
 
-    /// <summary>1 when every bone carries a position, otherwise 0.</summary>
+    /// <summary>1 if every bone carries a position, otherwise 0.</summary>
     public byte bWithDisp;
 
-    /// <summary>1 when the Reference node comes first, otherwise 0.</summary>
+    /// <summary>1 if the reference comes first, otherwise 0.</summary>
     public byte bWithReference;
 
-    /// <summary>Number of the avatar, from 0.</summary>
+    /// <summary>Index of the avatar, from 0.</summary>
     public uint AvatarIndex;
 
     /// <summary>Name of the avatar.</summary>
     [MarshalAs(UnmanagedType.ByValTStr, SizeConst = 32)]
     public string AvatarName;
 
-    /// <summary>The server's frame counter.</summary>
+    /// <summary>The frame index of the server.</summary>
     public uint FrameIndex;
 
-    /// <summary>As sent. Axis Studio: the rotation order.</summary>
+    /// <summary>Reserved, as sent by the server. In Axis Studio: the rotation order.</summary>
     public uint Reserved;
 
-    /// <summary>As sent. Axis Studio: hours, minutes and seconds of the timecode.</summary>
+    /// <summary>Reserved, as sent by the server. In Axis Studio: hours, minutes and seconds of the timecode.</summary>
     public uint Reserved1;
 
-    /// <summary>As sent. Axis Studio: the timecode's frame.</summary>
+    /// <summary>Reserved, as sent by the server. In Axis Studio: the frame of the timecode.</summary>
     public uint Reserved2;
 
-    /// <summary>0xEEFF.</summary>
+    /// <summary>The end token, 0xEEFF.</summary>
     public ushort Token2;
 
-    /// <summary>The name of <see cref="Token1"/> in the wrappers up to b14.</summary>
+    /// <summary>Name of <see cref="Token1"/> in the wrappers up to b14.</summary>
     public ushort HeaderToken1
     {
         readonly get => Token1;
         set => Token1 = value;
     }
 
-    /// <summary>The name of <see cref="Token2"/> in the wrappers up to b14.</summary>
+    /// <summary>Name of <see cref="Token2"/> in the wrappers up to b14.</summary>
     public ushort HeaderToken2
     {
         readonly get => Token2;
@@ -82,34 +84,34 @@ public struct BvhDataHeader
 [StructLayout(LayoutKind.Sequential, Pack = 1)]
 public struct CalcDataHeader
 {
-    /// <summary>0x88FF.</summary>
+    /// <summary>The start token, 0x88FF.</summary>
     public ushort Token1;
 
     /// <summary>Version of the data format.</summary>
     public DataVersion DataVersion;
 
-    /// <summary>Number of floats of the frame.</summary>
+    /// <summary>Number of floats in the frame.</summary>
     public uint DataCount;
 
-    /// <summary>Number of the avatar, from 0.</summary>
+    /// <summary>Index of the avatar, from 0.</summary>
     public uint AvatarIndex;
 
     /// <summary>Name of the avatar.</summary>
     [MarshalAs(UnmanagedType.ByValTStr, SizeConst = 32)]
     public string AvatarName;
 
-    /// <summary>The server's frame counter.</summary>
+    /// <summary>The frame index of the server.</summary>
     public uint FrameIndex;
 
-    /// <summary>As sent.</summary>
+    /// <summary>Reserved, as sent by the server.</summary>
     public uint Reserved1;
 
-    /// <summary>As sent.</summary>
+    /// <summary>Reserved, as sent by the server.</summary>
     public uint Reserved2;
 
-    /// <summary>As sent.</summary>
+    /// <summary>Reserved, as sent by the server.</summary>
     public uint Reserved3;
 
-    /// <summary>0x99FF.</summary>
+    /// <summary>The end token, 0x99FF.</summary>
     public ushort Token2;
 }

@@ -7,36 +7,37 @@ using NeuronMocap.Skeleton;
 namespace NeuronDataReaderWraper;
 
 /// <content>
-/// The command channel of b17 and b18, a TCP connection of its own (manual sections 2.3.9 to 2.3.14, protocol.md section 6). The vendor's C# wrappers
-/// lack it; names and parameters are those of the C functions. A call takes 3 s at most once it has a connection. It is false for everything
-/// that is no right answer, sets the last error where something came that cannot be an answer, and otherwise leaves it alone.
+/// The command channel of b17 and b18, a separate TCP connection (manual sections 2.3.9 to 2.3.14, protocol.md section 6). The vendor's C# wrappers
+/// lack it, so names and parameters are those of the C functions. Once connected, a call takes at most 3 s. It returns false for everything that is
+/// not a correct answer. An impossible answer sets the last error; other failures leave the last error unchanged.
 /// </content>
 public partial class NeuronDataReader
 {
-    /// <summary>Connects to a server's command port (manual section 2.3.9) and returns when the connection stands, or after about 5 s.</summary>
-    /// <param name="serverIP">The server's address or name.</param>
-    /// <param name="nPort">The server's command port: a setting there, 8013 unless changed. Not the port of the stream.</param>
+    /// <summary>Connects to the command port of a server (manual section 2.3.9). Returns when the connection is open, or after about 5 s.</summary>
+    /// <param name="serverIP">Address or name of the server.</param>
+    /// <param name="nPort">Command port of the server: a setting of the server, 8013 by default. It is not the port of the stream.</param>
     /// <returns>
-    /// The connection, or zero: <see cref="strBRGetLastErrorMessage"/> tells why. Where there is a living one to the same address and port,
-    /// that one.
+    /// The connection, or an existing open connection to the same address and port. Zero on failure; <see cref="strBRGetLastErrorMessage"/> then
+    /// gives the reason.
     /// </returns>
     public static IntPtr BRConnectCmd(string serverIP, int nPort) => Functions.ConnectCommands(serverIP, nPort);
 
-    /// <summary>Asks the server to zero out an avatar (manual section 2.3.10). What that changes, the direction, the position or both, is not documented.</summary>
+    /// <summary>Asks the server to zero out an avatar (manual section 2.3.10).</summary>
+    /// <remarks>It is not documented whether this changes the direction, the position or both.</remarks>
     /// <param name="sockRef">A command connection.</param>
-    /// <param name="avatarIndex">Number of the avatar, from 0.</param>
-    /// <returns>Whether the server said that it did.</returns>
+    /// <param name="avatarIndex">Index of the avatar, from 0.</param>
+    /// <returns>Whether the server confirmed it.</returns>
     public static bool ZeroOut(IntPtr sockRef, int avatarIndex) => VendorFunctions.ZeroOut(sockRef, avatarIndex);
 
     /// <summary>Asks the server to zero out all avatars (manual section 2.3.11), as <see cref="ZeroOut"/> does for one.</summary>
     /// <param name="sockRef">A command connection.</param>
-    /// <returns>Whether the server said that it did.</returns>
+    /// <returns>Whether the server confirmed it.</returns>
     public static bool ZeroOutAll(IntPtr sockRef) => VendorFunctions.ZeroOutAll(sockRef);
 
     /// <summary>Asks for the rotation order of the BVH data (manual section 2.3.12).</summary>
     /// <param name="sockRef">A command connection.</param>
     /// <param name="order">The order, or <see cref="RotateOrders.RO_Unknown"/>.</param>
-    /// <returns>Whether the server told one of the six.</returns>
+    /// <returns>Whether the server answered with one of the six orders.</returns>
     public static bool GetBvhRotation(IntPtr sockRef, out RotateOrders order)
     {
         // The numbers are the same.
@@ -47,9 +48,9 @@ public partial class NeuronDataReader
 
     /// <summary>Asks for the sizes of an avatar's body (manual section 2.3.13).</summary>
     /// <param name="sockRef">A command connection.</param>
-    /// <param name="avatarIndex">Number of the avatar, from 0.</param>
-    /// <param name="dimensions">The sizes in metres; all 0 where the server told none.</param>
-    /// <returns>Whether the server told them.</returns>
+    /// <param name="avatarIndex">Index of the avatar, from 0.</param>
+    /// <param name="dimensions">The sizes in metres. All are 0 if the server sent none.</param>
+    /// <returns>Whether the server sent the sizes.</returns>
     public static bool GetBoneSize(IntPtr sockRef, int avatarIndex, out BoneDimension dimensions)
     {
         bool told = VendorFunctions.TryGetBoneDimensions(sockRef, avatarIndex, out BoneDimensions answer);
@@ -71,12 +72,12 @@ public partial class NeuronDataReader
         return told;
     }
 
-    /// <summary>Asks for what the BVH file of an avatar begins with (manual section 2.3.14 and Appendix B).</summary>
+    /// <summary>Asks for the start of an avatar's BVH file (manual section 2.3.14 and Appendix B).</summary>
     /// <param name="sockRef">A command connection.</param>
-    /// <param name="avatarIndex">Number of the avatar, from 0.</param>
-    /// <param name="data">Filled with the text.</param>
-    /// <param name="len">Longest text to take, in characters; the rest is cut off. A header has about 10,000.</param>
-    /// <returns>Whether the server told it; false when <paramref name="len"/> is not positive.</returns>
+    /// <param name="avatarIndex">Index of the avatar, from 0.</param>
+    /// <param name="data">Receives the text.</param>
+    /// <param name="len">Maximum length of the text in characters; the rest is cut off. A header has about 10,000 characters.</param>
+    /// <returns>Whether the server sent the text. False if <paramref name="len"/> is not positive.</returns>
     public static bool GetBvhHeader(IntPtr sockRef, int avatarIndex, StringBuilder data, int len)
     {
         if (data is null || len <= 0 || !VendorFunctions.TryGetBvhHeader(sockRef, avatarIndex, out string? text))
@@ -86,12 +87,12 @@ public partial class NeuronDataReader
         return true;
     }
 
-    /// <summary>As the one with a text, with UTF-8 bytes; a zero byte follows them where there is room.</summary>
+    /// <summary>Asks for the start of an avatar's BVH file as UTF-8 bytes. A zero byte follows if there is room.</summary>
     /// <param name="sockRef">A command connection.</param>
-    /// <param name="avatarIndex">Number of the avatar, from 0.</param>
+    /// <param name="avatarIndex">Index of the avatar, from 0.</param>
     /// <param name="data">Room for the text.</param>
-    /// <param name="len">Largest number of bytes to write; the rest is cut off.</param>
-    /// <returns>Whether the server told it; false when there is no room.</returns>
+    /// <param name="len">Maximum number of bytes to write; the rest is cut off.</param>
+    /// <returns>Whether the server sent the text. False if there is no room.</returns>
     public static bool GetBvhHeader(IntPtr sockRef, int avatarIndex, byte[] data, int len)
     {
         int room = Math.Min(len, data?.Length ?? 0);
@@ -102,12 +103,12 @@ public partial class NeuronDataReader
         return true;
     }
 
-    /// <summary>As the one with bytes, with memory of the caller's.</summary>
+    /// <summary>Asks for the start of an avatar's BVH file as UTF-8 bytes in memory of the caller. A zero byte follows if there is room.</summary>
     /// <param name="sockRef">A command connection.</param>
-    /// <param name="avatarIndex">Number of the avatar, from 0.</param>
-    /// <param name="data">Room for <paramref name="len"/> bytes.</param>
-    /// <param name="len">Largest number of bytes to write; the rest is cut off.</param>
-    /// <returns>Whether the server told it; false when there is no room.</returns>
+    /// <param name="avatarIndex">Index of the avatar, from 0.</param>
+    /// <param name="data">Pointer to room for <paramref name="len"/> bytes.</param>
+    /// <param name="len">Maximum number of bytes to write; the rest is cut off.</param>
+    /// <returns>Whether the server sent the text. False if there is no room.</returns>
     public static bool GetBvhHeader(IntPtr sockRef, int avatarIndex, IntPtr data, int len)
     {
         if (data == IntPtr.Zero || len <= 0 || !VendorFunctions.TryGetBvhHeader(sockRef, avatarIndex, out byte[]? bytes))

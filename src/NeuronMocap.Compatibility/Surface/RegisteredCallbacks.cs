@@ -3,7 +3,7 @@ using NeuronMocap.Compatibility.Callbacks;
 
 namespace NeuronDataReaderWraper;
 
-// The delegates of this namespace, as the core calls them.
+// Calls the delegates of this namespace.
 internal sealed class RegisteredCallbacks : IVendorCallbacks
 {
     private readonly CallbackSlot<FrameDataReceived> _frame = new();
@@ -13,7 +13,7 @@ internal sealed class RegisteredCallbacks : IVendorCallbacks
     private FrameDataReceived? _calculationHandler;
     private CommandDataReceived? _commandHandler;
 
-    // The struct of this namespace has no other.
+    // The struct of this namespace has only this layout.
     public HeaderLayout FrameHeaders => HeaderLayout.New;
 
     public bool WantsFrames => NeuronDataReader.frameDataReceivedCallback is not null;

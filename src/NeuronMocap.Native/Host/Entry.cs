@@ -4,12 +4,12 @@ using NeuronMocap.Compatibility.Callbacks;
 
 namespace NeuronMocap.Native.Host;
 
-// What entry.c calls, which stands in front of the exports on Linux.
+// The functions that entry.c calls. entry.c stands in front of the exports on Linux.
 internal static unsafe partial class Entry
 {
     private const int NoThreads = 11;
 
-    // A callback may wait for the very thread that ends the process.
+    // A callback may wait for the thread that ends the process.
     private static readonly TimeSpan ExitTimeout = TimeSpan.FromSeconds(1);
 
     public static void SetHandlers()
@@ -18,7 +18,7 @@ internal static unsafe partial class Entry
             SetHandlers(&OnExit, &OnRefusal);
     }
 
-    // On the thread that ends the process, perhaps in a callback.
+    // Runs on the thread that ends the process, perhaps in a callback.
     [UnmanagedCallersOnly]
     private static void OnExit() => ExportGuard.Run(ExitTimeout, static timeout => CallbackGate.EndProcess(timeout));
 

@@ -4,11 +4,11 @@ using NeuronMocap.Compatibility;
 
 namespace NeuronMocap.Native.Host;
 
-// Stands around everything that C calls: an exception that left it would end the process. What is thrown becomes the function's failure and the last
-// error. Arguments are handed in, so that no call needs memory.
+// Guards all functions that C calls, because an exception that left them would end the process. An exception becomes the function's failure value and
+// the last error. Arguments are passed in, so that a call allocates no memory.
 internal static unsafe class ExportGuard
 {
-    // Tests throw it at a function, on their own thread.
+    // Tests set it to throw in a function, on their own thread.
     [ThreadStatic]
     private static Exception? _fault;
 
@@ -18,7 +18,7 @@ internal static unsafe class ExportGuard
         set => _fault = value;
     }
 
-    // What there is to say where not even a last error can be made. A constant: its memory stays where it is.
+    // The message when not even a last error can be created. It is a constant, so its memory does not move.
     public static IntPtr NoMemory => (IntPtr)Unsafe.AsPointer(ref MemoryMarshal.GetReference("Out of memory.\0"u8));
 
     public static TResult Call<TArguments, TResult>(

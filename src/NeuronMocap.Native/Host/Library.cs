@@ -2,13 +2,14 @@ using NeuronMocap.Compatibility;
 
 namespace NeuronMocap.Native.Host;
 
-// What all exported functions share. Not in their own class, whose static constructor would run in front of their guards.
+// The objects that all exported functions share. They are in a separate class, because a static constructor of the exports would run outside their
+// guards.
 internal static class Library
 {
     static Library()
     {
         Entry.SetHandlers();
-        // Nobody asked for text in the program's standard error.
+        // The host program did not ask for text on its standard error stream.
         CompatibilityEvents.CallbackFailed += static _ => { };
     }
 

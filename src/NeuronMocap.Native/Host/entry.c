@@ -1,6 +1,6 @@
-/* The exported functions on Linux, in front of the managed ones, which the build renames to managed_NAME. They start the runtime, and fail where it
-   cannot run: it did not start, or this is a child that fork made after it had. The caller's floating-point environment is kept from managed code,
-   and kept as it is. */
+/* The exported functions on Linux. They call the managed functions, which the build renames to managed_NAME. They start the runtime. They fail if the
+   runtime did not start, or if this is a child that fork created after the start. Managed code runs with the default floating-point environment; the
+   caller's environment is saved and restored. */
 #include <fenv.h>
 #include <pthread.h>
 #include <stddef.h>
@@ -16,7 +16,7 @@ static int (*start_runtime)(void);
 static void (*exit_handler)(void);
 static void (*refusal_handler)(void);
 
-/* A child has no other thread of ours, and whatever locks those held stay held. */
+/* A child process has none of the library's threads, and locks that those threads held stay locked. */
 static void on_fork_in_child(void)
 {
     state = FORKED;
@@ -37,7 +37,7 @@ static void end_callbacks(void)
 
 static void start(void)
 {
-    /* A child of a process that was just starting comes here again. */
+    /* A child of a process that was just starting reaches this point again. */
     if (state != NOT_STARTED)
         return;
 
@@ -47,13 +47,13 @@ static void start(void)
         return;
     }
 
-    /* Makes what all functions share, and sets the handlers, unless there is no memory for that. */
+    /* Creates the objects that all functions share, and sets the handlers, unless memory runs out. */
     managed_BRGetLastErrorMessage();
     state = exit_handler != NULL ? RUNNING : FAILED;
 }
 
-/* The runtime hands over what starts it when the library is loaded. The first managed function to be entered calls that, and aborts if it fails;
-   here it is called before, and may fail. */
+/* When the library is loaded, the runtime passes the function that starts it. The first managed function would call that function and abort on a
+   failure. Here it is called earlier, so that a failure can be handled. */
 static int is_started(void)
 {
     return state == STARTING || state == RUNNING ? 0 : -1;
@@ -67,7 +67,8 @@ void __wrap_RhSetRuntimeInitializationCallback(int (*callback)(void))
     __real_RhSetRuntimeInitializationCallback(is_started);
 }
 
-/* Called from managed code: what to do before the destructors of the program's objects run, and when a connection is refused for want of threads. */
+/* Called from managed code. on_exit_of_process runs before the destructors of the program's objects. on_refusal runs when a connection is refused because
+   threads cannot be created. */
 void NeuronMocapSetHandlers(void (*on_exit_of_process)(void), void (*on_refusal)(void))
 {
     exit_handler = on_exit_of_process;
@@ -96,8 +97,8 @@ static void *wait_at(void *gate)
     return NULL;
 }
 
-/* The runtime starts threads when work comes up, and ends the process where it gets none. So a connection is made only where the threads that it
-   may need are to be had. */
+/* The runtime starts threads on demand and ends the process if it cannot create one. A connection is therefore opened only if the threads that it may need
+   can be created. */
 static int has_threads(void)
 {
     enum { NEEDED = 8 };

@@ -1,4 +1,4 @@
-/* What the runtime asks of the system, as a guest in somebody's process may: the linker sends the runtime's calls of these functions here (--wrap). */
+/* Replaces system calls of the runtime, because the runtime is a guest in another program's process. The linker redirects the calls here (--wrap). */
 #include <errno.h>
 #include <fenv.h>
 #include <pthread.h>
@@ -10,8 +10,8 @@ int __real_pthread_create(pthread_t *thread, const pthread_attr_t *attributes, v
 ssize_t __real_send(int socket, const void *data, size_t length, int flags);
 ssize_t __real_sendmsg(int socket, const struct msghdr *message, int flags);
 
-/* All signals stay the program's. The runtime would ignore SIGPIPE, turn faults of managed code into exceptions, of which correct code has none,
-   and stop threads for a garbage collection by a signal that programs use too. */
+/* All signals belong to the program. The runtime would ignore SIGPIPE. It would turn faults of managed code into exceptions, but correct code has no
+   faults. It would also stop threads for a garbage collection with a signal that programs use, too. */
 int __wrap_sigaction(int number, const struct sigaction *action, struct sigaction *previous)
 {
     (void)action;
@@ -25,7 +25,7 @@ void (*__wrap_signal(int number, void (*handler)(int)))(int)
     return SIG_DFL;
 }
 
-/* A thread that is to stop for a garbage collection does so at its next call out of managed code, which in this library is never far. */
+/* A thread that must stop for a garbage collection stops at its next call out of managed code. In this library that call comes soon. */
 int __wrap_pthread_kill(pthread_t thread, int number)
 {
     (void)thread;
@@ -33,9 +33,9 @@ int __wrap_pthread_kill(pthread_t thread, int number)
     return ESRCH;
 }
 
-/* The library's threads begin with nothing of the thread that happened to start them: the default floating-point environment, and those signals
-   blocked that are sent to a process, whose handlers run on the program's own threads then. All others are open: faults, and what runtimes that
-   callbacks call into (Mono, Java) stop their threads with. */
+/* The library's threads inherit nothing from the thread that starts them. They have the default floating-point environment. Signals that are sent to a
+   process are blocked, so their handlers run on the program's own threads. All other signals are open: faults, and the signals with which runtimes that
+   callbacks use (Mono, Java) stop threads. */
 int __wrap_pthread_create(pthread_t *thread, const pthread_attr_t *attributes, void *(*start)(void *), void *argument)
 {
     static const int of_processes[] = { SIGHUP, SIGINT, SIGQUIT, SIGTERM, SIGALRM, SIGCHLD, SIGTSTP, SIGWINCH };
@@ -56,7 +56,7 @@ int __wrap_pthread_create(pthread_t *thread, const pthread_attr_t *attributes, v
     return error;
 }
 
-/* Whoever sends to a connection that the other side has closed gets an error, and the process no SIGPIPE. */
+/* Sending to a connection that the other side has closed returns an error. The process gets no SIGPIPE. */
 ssize_t __wrap_send(int socket, const void *data, size_t length, int flags)
 {
     return __real_send(socket, data, length, flags | MSG_NOSIGNAL);

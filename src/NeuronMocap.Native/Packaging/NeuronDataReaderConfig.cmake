@@ -1,5 +1,5 @@
-# find_package(NeuronDataReader CONFIG): the target NeuronDataReader::NeuronDataReader, wherever the folder lies.
-# The real path: /lib may be a link to /usr/lib, and the headers are in /usr/include.
+# find_package(NeuronDataReader CONFIG): the target NeuronDataReader::NeuronDataReader, wherever the folder is.
+# Uses the real path: /lib may be a link to /usr/lib, but the headers are in /usr/include.
 get_filename_component(_ndr_prefix "${CMAKE_CURRENT_LIST_DIR}" REALPATH)
 get_filename_component(_ndr_prefix "${_ndr_prefix}/../../.." ABSOLUTE)
 

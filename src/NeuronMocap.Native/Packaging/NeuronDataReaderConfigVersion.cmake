@@ -1,4 +1,4 @@
-# The vendor's functions do not change: a newer version takes the place of every older one, as the SONAME says.
+# The vendor's functions do not change, so a newer version replaces every older one, as the SONAME says.
 set(PACKAGE_VERSION "@VERSION@")
 set(PACKAGE_VERSION_COMPATIBLE FALSE)
 
@@ -15,7 +15,7 @@ elseif(NOT PACKAGE_VERSION VERSION_LESS PACKAGE_FIND_VERSION)
     endif()
 endif()
 
-# A library for another system or processor is passed over, so that several may lie in one CMAKE_PREFIX_PATH. Empty: the project compiles nothing.
+# Skips libraries for other systems or processors, so that one CMAKE_PREFIX_PATH may hold several. Empty means that the project compiles nothing.
 if(CMAKE_SIZEOF_VOID_P AND NOT CMAKE_SIZEOF_VOID_P EQUAL 8)
     set(PACKAGE_VERSION "${PACKAGE_VERSION} (64 bit)")
     set(PACKAGE_VERSION_UNSUITABLE TRUE)

@@ -1,4 +1,4 @@
-# NeuronDataReaderConfig.cmake says where the files are: _ndr_library, _ndr_import (Windows) and _ndr_include.
+# NeuronDataReaderConfig.cmake sets the paths of the files: _ndr_library, _ndr_import (Windows) and _ndr_include.
 foreach(_ndr_file "${_ndr_library}" "${_ndr_import}" "${_ndr_include}/NeuronDataReader.h")
     if(_ndr_file AND NOT EXISTS "${_ndr_file}")
         set(NeuronDataReader_FOUND FALSE)
@@ -12,7 +12,7 @@ if(NOT DEFINED NeuronDataReader_NOT_FOUND_MESSAGE AND NOT TARGET NeuronDataReade
         IMPORTED_LOCATION "${_ndr_library}"
         INTERFACE_INCLUDE_DIRECTORIES "${_ndr_include}")
 
-    # Programs ask for the name of the major version, which every later library of that version has.
+    # Programs load the name of the major version, which every later library of that version has.
     if(WIN32)
         set_property(TARGET NeuronDataReader::NeuronDataReader PROPERTY IMPORTED_IMPLIB "${_ndr_import}")
     elseif(APPLE)

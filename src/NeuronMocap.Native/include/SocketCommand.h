@@ -1,6 +1,6 @@
 /**
  * @file
- * For programs for b11 and b12, whose types of commands were declared here: they are in DataType.h, with NEURONDATAREADER_B12.
+ * For programs for b11 and b12, which include this file for the types of commands. The types are in DataType.h, with NEURONDATAREADER_B12.
  */
 #ifndef NEURONDATAREADER_SOCKETCOMMAND_H
 #define NEURONDATAREADER_SOCKETCOMMAND_H

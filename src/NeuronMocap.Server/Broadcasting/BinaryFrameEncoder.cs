@@ -14,7 +14,7 @@ internal class BinaryFrameEncoder(FramePlan plan) : FrameEncoder(plan)
         AvatarName = Plan.Names[avatar],
         FrameIndex = (uint)frame,
 
-        // Axis Studio, and only it, says here which rotation order it is set to (protocol.md section 9).
+        // Only Axis Studio sends its rotation order here (protocol.md section 9).
         Reserved = Plan.Version == DataVersion.Studio ? (uint)Plan.Order : 0,
     };
 

@@ -2,8 +2,10 @@ using System.Diagnostics;
 
 namespace NeuronMocap.Server.Broadcasting;
 
-/// <summary>Tells of what was thrown on a server's threads: to the handlers, or where there is none, once, to <see cref="Trace"/>. Never throws.</summary>
-/// <param name="server">What the trace calls the server.</param>
+/// <summary>
+/// Reports exceptions from a server's threads to the handlers. Without a handler, the first one goes to <see cref="Trace"/>. Never throws.
+/// </summary>
+/// <param name="server">Name of the server in the trace.</param>
 internal sealed class FaultReport(string server)
 {
     private int _isTraced;
@@ -31,7 +33,7 @@ internal sealed class FaultReport(string server)
         }
     }
 
-    // A client that repeats what fails shall not fill a log.
+    // A client that repeats a failing request must not fill a log.
     private void TraceOnce(Exception exception)
     {
         if (Interlocked.Exchange(ref _isTraced, 1) != 0)
@@ -39,11 +41,11 @@ internal sealed class FaultReport(string server)
 
         try
         {
-            Trace.TraceError("{0}: an exception was thrown on a thread of the server, which goes on. {1}", server, exception);
+            Trace.TraceError("{0}: a thread of the server threw an exception. The server goes on. {1}", server, exception);
         }
         catch (Exception)
         {
-            // Trace listeners are the user's, too; there is nobody left to tell.
+            // Trace listeners are user code, and no handler is left to report to.
         }
     }
 }

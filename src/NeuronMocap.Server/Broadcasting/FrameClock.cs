@@ -2,22 +2,23 @@ using System.Diagnostics;
 
 namespace NeuronMocap.Server.Broadcasting;
 
-/// <summary>
-/// Says when a frame is due: frame n at start + n / rate, computed afresh for every frame, so that rounding and late wake-ups never add up.
-/// After a pause longer than a few frames the start moves: the frames that were not sent meanwhile are sent later, not all at once.
-/// </summary>
+/// <summary>Determines when a frame is due: frame n at start + n / rate.</summary>
+/// <remarks>
+/// Each due time is computed from the start, so rounding and late wake-ups do not add up. After a pause longer than a few frames the start moves:
+/// the frames of the pause are sent later, not all at once.
+/// </remarks>
 internal sealed class FrameClock
 {
     private const double ToleratedFrames = 4;
 
-    // Some systems wake a thread only every 15.6 ms; at high rates that is many frames, and they must not be put off.
+    // Some systems wake a thread only every 15.6 ms. At high rates that is many frames, which must not be postponed.
     private const double ToleratedSeconds = 0.02;
 
     private readonly double _ticksPerFrame;
     private readonly long _tolerance;
     private long _start;
 
-    // Time is ticks of Stopwatch.
+    // Times are ticks of Stopwatch.
     public FrameClock(double rate, long start)
     {
         _ticksPerFrame = Stopwatch.Frequency / rate;
@@ -25,7 +26,7 @@ internal sealed class FrameClock
         _start = start;
     }
 
-    // Milliseconds to wait before the frame may be sent, rounded up; 0 when it is due. What belongs between two frames has a number between theirs.
+    // Milliseconds to wait before the frame may be sent, rounded up; 0 when it is due. A packet between two frames has a number between theirs.
     public int GetDelay(double frame, long now)
     {
         long early = _start + (long)(frame * _ticksPerFrame) - now;

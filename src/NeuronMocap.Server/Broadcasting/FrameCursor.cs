@@ -1,24 +1,24 @@
 namespace NeuronMocap.Server.Broadcasting;
 
-// One reader's place in a FrameLog, guarded by the log's lock.
+// The position of one reader in a FrameLog. The log's lock guards it.
 internal sealed class FrameCursor
 {
-    // Number of the frame that the reader wants, and what it has had of it.
+    // Number of the frame that the reader wants next, and the part of it that the reader already has.
     public long Position { get; private set; }
 
     public int Bytes { get; private set; }
 
     public int Packets { get; private set; }
 
-    // Packets that were overwritten before the reader came for them.
+    // Packets that were overwritten before the reader read them.
     public long Missed { get; private set; }
 
-    // Whether the reader has something else to do than to wait for a frame.
+    // Whether the reader has other work than to wait for a frame.
     public bool IsWoken { get; set; }
 
     public static FrameCursor At(long position) => new() { Position = position };
 
-    // To the start of a later frame.
+    // Moves to the start of a later frame.
     public void Skip(long position, long missed)
     {
         MoveTo(position);

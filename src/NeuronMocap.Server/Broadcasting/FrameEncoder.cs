@@ -1,9 +1,7 @@
 namespace NeuronMocap.Server.Broadcasting;
 
-/// <summary>
-/// Writes the packets of a frame. The same frame number gives the same bytes, whoever asks. Allocates nothing per frame; because of its
-/// scratch memory every thread has one of its own.
-/// </summary>
+/// <summary>Writes the packets of a frame. The same frame number always gives the same bytes.</summary>
+/// <remarks>Allocates nothing per frame. An encoder has scratch memory, so each thread needs its own.</remarks>
 internal abstract class FrameEncoder(FramePlan plan)
 {
     private readonly float[] _motion = new float[plan.Layout.ValueCount];
@@ -37,7 +35,7 @@ internal abstract class FrameEncoder(FramePlan plan)
 
     protected abstract int WriteCalculation(long frame, int avatar, Span<byte> destination);
 
-    // As many values as the broadcast carries; valid until the next call.
+    // Returns as many values as the broadcast carries. They are valid until the next call.
     protected ReadOnlySpan<float> Calculate(long frame, int avatar)
     {
         plan.Calculation!(plan.Sources[avatar], frame, _calculation);

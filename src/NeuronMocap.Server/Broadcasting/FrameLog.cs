@@ -1,13 +1,13 @@
 namespace NeuronMocap.Server.Broadcasting;
 
-/// <summary>
-/// The newest frames of a paced broadcast, encoded once and read by every client at its own position. This one ring is the bounded queue
-/// of all clients: whoever falls behind by more than its length goes on at the oldest frame that is left and is told how many it missed.
-/// The writer never waits for a reader, only for the lock, which a reader holds while it copies. A frame may appear packet by packet; a reader's first
-/// packet is always the first of a frame.
-/// </summary>
-/// <param name="length">How many frames are kept, the one that is appearing among them.</param>
-/// <param name="packetsPerFrame">Packets of every frame.</param>
+/// <summary>A ring of the newest frames of a paced broadcast. Frames are encoded once, and every client reads them at its own position.</summary>
+/// <remarks>
+/// The ring is the bounded queue of all clients. A client that falls behind by more than its length continues at the oldest frame left and is told
+/// how many packets it missed. The writer never waits for a reader; it only waits for the lock, which a reader holds while it copies. A frame may
+/// appear packet by packet. The first packet that a reader gets is always the first packet of a frame.
+/// </remarks>
+/// <param name="length">Number of frames to keep, including the frame that is appearing.</param>
+/// <param name="packetsPerFrame">Number of packets in every frame.</param>
 internal sealed class FrameLog(int length, int packetsPerFrame = 1)
 {
     private readonly object _lock = new();
@@ -17,20 +17,20 @@ internal sealed class FrameLog(int length, int packetsPerFrame = 1)
     private bool _isComplete;
     private bool _isAborted;
 
-    /// <summary>Makes a reader's place: at the next frame to be published.</summary>
+    /// <summary>Creates the position of a reader, at the next frame to be published.</summary>
     public FrameCursor CreateCursor()
     {
         lock (_lock)
             return FrameCursor.At(_end);
     }
 
-    /// <summary>Adds a frame; the oldest gives way when the ring is full.</summary>
-    /// <param name="frame">Exactly one frame; copied.</param>
+    /// <summary>Adds a frame. The oldest frame is removed when the ring is full.</summary>
+    /// <param name="frame">Exactly one frame, which is copied.</param>
     public void Publish(ReadOnlySpan<byte> frame) => Publish(frame, packetsPerFrame);
 
-    /// <summary>Adds the next packets of a frame; with the last of them the frame is complete, and the next call begins another.</summary>
-    /// <param name="bytes">The packets; copied.</param>
-    /// <param name="packets">How many they are.</param>
+    /// <summary>Adds the next packets of a frame. The last packet completes the frame, and the next call starts another.</summary>
+    /// <param name="bytes">The packets, which are copied.</param>
+    /// <param name="packets">Number of packets.</param>
     public void Publish(ReadOnlySpan<byte> bytes, int packets)
     {
         lock (_lock)
@@ -48,7 +48,7 @@ internal sealed class FrameLog(int length, int packetsPerFrame = 1)
         }
     }
 
-    /// <summary>Says that no frame will follow; readers still get those that are there.</summary>
+    /// <summary>Marks the end of the broadcast. Readers still get the frames in the ring.</summary>
     public void Complete()
     {
         lock (_lock)
@@ -58,7 +58,7 @@ internal sealed class FrameLog(int length, int packetsPerFrame = 1)
         }
     }
 
-    /// <summary>Sends all readers away at once.</summary>
+    /// <summary>Ends all reads at once.</summary>
     public void Abort()
     {
         lock (_lock)
@@ -68,8 +68,8 @@ internal sealed class FrameLog(int length, int packetsPerFrame = 1)
         }
     }
 
-    /// <summary>Ends the wait of one reader, this one or else its next.</summary>
-    /// <param name="cursor">The reader's place.</param>
+    /// <summary>Ends the current wait of one reader, or else its next wait.</summary>
+    /// <param name="cursor">The position of the reader.</param>
     public void Wake(FrameCursor cursor)
     {
         lock (_lock)
@@ -79,11 +79,11 @@ internal sealed class FrameLog(int length, int packetsPerFrame = 1)
         }
     }
 
-    /// <summary>Waits for packets and copies as many as are there and fit.</summary>
-    /// <param name="cursor">The reader's place; moved past what was copied and missed.</param>
+    /// <summary>Waits for packets and copies as many as are available and fit.</summary>
+    /// <param name="cursor">The position of the reader. It moves past the packets that were copied or missed.</param>
     /// <param name="destination">Room for at least one frame.</param>
-    /// <param name="maxFrames">Not more than these.</param>
-    /// <returns>What was copied; nothing after <see cref="Wake"/>, after the end and after <see cref="Abort"/>.</returns>
+    /// <param name="maxFrames">Maximum number of frames to copy.</param>
+    /// <returns>The packets that were copied. Empty after <see cref="Wake"/>, after the end and after <see cref="Abort"/>.</returns>
     public FrameBatch Read(FrameCursor cursor, Span<byte> destination, int maxFrames = int.MaxValue)
     {
         lock (_lock)
@@ -118,33 +118,32 @@ internal sealed class FrameLog(int length, int packetsPerFrame = 1)
         }
     }
 
-    /// <summary>Whether a reader has had everything that there will ever be.</summary>
-    /// <param name="cursor">The reader's place.</param>
+    /// <summary>Whether a reader has read all frames of the finished broadcast.</summary>
+    /// <param name="cursor">The position of the reader.</param>
     public bool IsAtEnd(FrameCursor cursor)
     {
         lock (_lock)
             return _isComplete && cursor.Position == _end;
     }
 
-    /// <summary>Whether there will be nothing more for a reader.</summary>
-    /// <param name="cursor">The reader's place.</param>
+    /// <summary>Whether no more packets will follow for a reader.</summary>
+    /// <param name="cursor">The position of the reader.</param>
     public bool HasEnded(FrameCursor cursor)
     {
         lock (_lock)
             return _isAborted || (_isComplete && cursor.Position == _end);
     }
 
-    /// <summary>
-    /// How many packets a reader has lost so far. One that is stuck in a write does not read: what it has lost meanwhile is counted here.
-    /// </summary>
-    /// <param name="cursor">The reader's place.</param>
+    /// <summary>Gets the number of packets that a reader has missed so far.</summary>
+    /// <remarks>A reader that is blocked in a write does not read. The packets that it misses meanwhile are included.</remarks>
+    /// <param name="cursor">The position of the reader.</param>
     public long GetMissed(FrameCursor cursor)
     {
         lock (_lock)
             return cursor.Missed + CountOverwritten(cursor);
     }
 
-    // The first frame that is left.
+    // The first frame that is still in the ring.
     private long Oldest => _end + (_isFramePending ? 1 : 0) - _slots.Length;
 
     private bool HasMore(FrameCursor cursor) =>
@@ -164,7 +163,7 @@ internal sealed class FrameLog(int length, int packetsPerFrame = 1)
 
         public void Clear() => (_length, Packets) = (0, 0);
 
-        // Text frames change their length a little: an eighth more, and the memory is taken once.
+        // The length of text frames varies a little. An eighth of extra room avoids further allocations.
         public void Append(ReadOnlySpan<byte> bytes, int packets)
         {
             int length = _length + bytes.Length;

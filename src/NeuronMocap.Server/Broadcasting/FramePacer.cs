@@ -3,12 +3,12 @@ using NeuronMocap.Recording;
 
 namespace NeuronMocap.Server.Broadcasting;
 
-/// <summary>Encodes the frames of sources, at an even rate, and spreads the packets of each over its time where there is time.</summary>
-/// <param name="streams">What to encode, and where to publish it. All of it is about the same frames.</param>
+/// <summary>Encodes the frames of sources at an even rate. Where time allows, it spreads the packets of a frame over the time of the frame.</summary>
+/// <param name="streams">The plans to encode, and the logs to publish to. All plans concern the same frames.</param>
 /// <param name="rate">Frames per second.</param>
-/// <param name="ended">As the base has it.</param>
-/// <param name="report">As the base has it.</param>
-/// <param name="time">The time; null for the real one.</param>
+/// <param name="ended">See the base class.</param>
+/// <param name="report">See the base class.</param>
+/// <param name="time">The clock; null for the real one.</param>
 internal sealed class FramePacer(
     IReadOnlyList<(FramePlan Plan, FrameLog Log)> streams, double rate, Action<Exception?> ended, FaultReport report, PacerTime? time = null)
     : Pacer(ended, report)
@@ -30,7 +30,7 @@ internal sealed class FramePacer(
         long count = streams[0].Plan.FrameCount;
         for (long frame = 0; frame < count; frame++)
         {
-            // Encoded before its time comes, so that the work delays nothing.
+            // Encoded before the frame is due, so that the work does not delay it.
             foreach (PacedStream stream in paced)
                 stream.Encode(frame);
 
@@ -45,8 +45,8 @@ internal sealed class FramePacer(
         }
     }
 
-    // False when the broadcast is stopped first. Packets that are late do not follow each other at once, until a frame is due by whose time they have to be sent:
-    // so the spreading never costs a frame its time.
+    // Returns false when the broadcast is stopped first. Late packets keep their distance until spreadUntil. From then on they are sent at once,
+    // so that spreading never delays a frame.
     private bool WaitFor(double due, FrameClock clock, long spreadUntil)
     {
         lock (Gate)
@@ -84,7 +84,7 @@ internal sealed class FramePacer(
             _place = 0;
         }
 
-        // The next packet, if there is one more, or the frame.
+        // Publishes the next packet, or the whole frame. With isPacket, nothing happens after the last packet.
         public void Publish(bool isPacket)
         {
             ReadOnlySpan<byte> rest = _bytes.AsSpan(_offset, _length - _offset);

@@ -5,9 +5,9 @@ using NeuronMocap.Skeleton;
 namespace NeuronMocap.Server.Broadcasting;
 
 /// <summary>
-/// What every frame of a stream consists of: for each avatar in turn a motion packet, a calculation packet, or both. A line of text counts as a
-/// packet. Immutable; all threads share it.
+/// The content of every frame of a stream: for each avatar in turn a motion packet, a calculation packet, or both.
 /// </summary>
+/// <remarks>A line of text counts as a packet. Immutable; all threads share it.</remarks>
 internal sealed class FramePlan : BroadcastContent
 {
     private readonly BroadcastFormat _format;
@@ -41,30 +41,30 @@ internal sealed class FramePlan : BroadcastContent
 
     public RotationOrder Order { get; }
 
-    // Of motion packets; text carries none.
+    // Version of the motion packets. Text carries no version.
     public DataVersion Version { get; }
 
-    // Of the timecode: frames per second of the broadcast, or of the first source where there is no pace.
+    // Frame rate of the timecode: that of the broadcast, or of the first source if the broadcast is not paced.
     public double FrameRate { get; }
 
     public CalculationProvider? Calculation { get; }
 
     public StudioCalculationProvider? StudioCalculation { get; }
 
-    // 946, or 338 for the body alone: the start of the longer form (CalculationFrame.BodyValueCount).
+    // 946, or 338 for the body alone. The shorter form is the start of the longer one (CalculationFrame.BodyValueCount).
     public int CalculationValueCount { get; }
 
     public int TextDecimals { get; }
 
     public TextQuirks TextQuirks { get; }
 
-    // Frames from 0; long.MaxValue when the broadcast never ends.
+    // Frames are counted from 0. long.MaxValue when the broadcast never ends.
     public long FrameCount { get; }
 
-    // What a packet has at most, and, unless it is text, always; 0 without motion packets.
+    // Maximum size of a motion packet. Unless it is text, every motion packet has this size. 0 without motion packets.
     public int MaxMotionSize { get; }
 
-    // 0 without calculation packets.
+    // Maximum size of a calculation packet. 0 without calculation packets.
     public int MaxCalculationSize { get; }
 
     public override bool HasMotion { get; }

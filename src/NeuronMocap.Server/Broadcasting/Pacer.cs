@@ -1,13 +1,13 @@
 namespace NeuronMocap.Server.Broadcasting;
 
-/// <summary>Publishes frames at their times, on a thread of its own.</summary>
+/// <summary>Publishes frames when they are due, on its own thread.</summary>
 internal abstract class Pacer
 {
     private readonly Action<Exception?> _ended;
 
-    /// <summary>Makes a pacer.</summary>
-    /// <param name="ended">Called once on the pacer's thread, after the last frame, after a stop, or with what a source threw.</param>
-    /// <param name="report">Told what the end itself throws.</param>
+    /// <summary>Creates a pacer.</summary>
+    /// <param name="ended">Called once on the pacer's thread: after the last frame, after a stop, or with the exception that a source threw.</param>
+    /// <param name="report">Receives the exceptions that <paramref name="ended"/> throws.</param>
     protected Pacer(Action<Exception?> ended, FaultReport report)
     {
         _ended = ended;
@@ -19,7 +19,7 @@ internal abstract class Pacer
     // Pulsed when the broadcast is stopped.
     protected object Gate { get; } = new();
 
-    // Under the gate.
+    // Read and written under the gate.
     protected bool IsStopping { get; private set; }
 
     public void Stop()

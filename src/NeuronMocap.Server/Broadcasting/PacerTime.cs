@@ -2,14 +2,15 @@ using System.Diagnostics;
 
 namespace NeuronMocap.Server.Broadcasting;
 
-// How a pacer knows the time and waits for it. Replaced by tests.
+// The clock of a pacer: tells the time and waits. Tests replace it.
 internal class PacerTime
 {
     public static PacerTime Real { get; } = new();
 
-    // Ticks of Stopwatch.
+    // Time in ticks of Stopwatch.
     public virtual long Now => Stopwatch.GetTimestamp();
 
-    // Under the gate, which is let go meanwhile. Returns after the time, when the gate is pulsed, or before: whoever waits looks again.
+    // Call it under the gate, which is released during the wait. It returns after the time or when the gate is pulsed. It may also return earlier, so
+    // callers check again.
     public virtual void Wait(object gate, int milliseconds) => Monitor.Wait(gate, milliseconds);
 }

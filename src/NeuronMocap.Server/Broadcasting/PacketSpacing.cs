@@ -1,21 +1,22 @@
 namespace NeuronMocap.Server.Broadcasting;
 
-/// <summary>
-/// How the packets of a frame are spread over its time. The vendor's b15 and b17 libraries parse every receive alone, and look 64 bytes behind each motion packet
-/// for the next: of packets that arrive together they lose every other one, and all calculation data (protocol.md section 5). Apart, nothing is lost.
-/// </summary>
+/// <summary>Spreads the packets of a frame over the time of the frame.</summary>
+/// <remarks>
+/// The vendor's b15 and b17 libraries parse each receive on its own and look for the next packet 64 bytes behind each motion packet. When packets
+/// arrive together, they lose every other packet and all calculation data (protocol.md section 5). When packets arrive apart, nothing is lost.
+/// </remarks>
 internal readonly struct PacketSpacing
 {
-    /// <summary>Milliseconds that two packets are apart at least, unless their frame is late.</summary>
+    /// <summary>Minimum time between two packets in milliseconds, unless their frame is late.</summary>
     public const int MinSpacing = 1;
 
-    // A wait for the next packet is rounded up to a whole millisecond, and a thread wakes late: with less room every frame would be late. With more, the last
-    // avatars would be.
+    // A wait for the next packet is rounded up to a whole millisecond, and a thread wakes late. With less room every frame would be late. With more
+    // room the last avatars would be late.
     private const double Spacing = 2;
 
     private readonly double _spacing;
 
-    /// <summary>Decides.</summary>
+    /// <summary>Decides whether packets are spread, and how far.</summary>
     /// <param name="rate">Frames per second.</param>
     /// <param name="packets">Packets of a frame, on the port that has the most.</param>
     public PacketSpacing(double rate, int packets)
@@ -26,13 +27,14 @@ internal readonly struct PacketSpacing
     }
 
     /// <summary>
-    /// Whether there is time for every packet. Else, at rates for tests and with very many avatars, all packets of a frame appear together.
+    /// Whether there is time to send every packet separately. If not, at test rates or with very many avatars, all packets of a frame appear
+    /// together.
     /// </summary>
     public bool IsPacketwise { get; }
 
-    /// <summary>When a packet is due.</summary>
-    /// <param name="frame">Number of its frame.</param>
-    /// <param name="place">Its place in the frame, from 0.</param>
-    /// <returns>In frames.</returns>
+    /// <summary>Gets the time at which a packet is due.</summary>
+    /// <param name="frame">Number of the frame of the packet.</param>
+    /// <param name="place">Index of the packet in the frame, from 0.</param>
+    /// <returns>The time in frames.</returns>
     public double GetTime(long frame, int place) => frame + (place * _spacing);
 }

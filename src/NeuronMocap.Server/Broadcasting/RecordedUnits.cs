@@ -4,10 +4,11 @@ using NeuronMocap.Transport;
 
 namespace NeuronMocap.Server.Broadcasting;
 
-/// <summary>
-/// Every byte of a recording, in the order of its arrival, in units that a client cannot lose half of: a packet or a line of text, with the bytes before
-/// it that are neither, and what stands behind a line. A unit is there when its last byte was received. For one thread.
-/// </summary>
+/// <summary>Reads every byte of a recording in order of arrival, in units that a client receives whole or not at all.</summary>
+/// <remarks>
+/// A unit is a packet or a line of text. It includes the bytes before it that are neither, and text directly behind a line. The time of a unit is the
+/// arrival of its last byte. Not thread-safe.
+/// </remarks>
 internal sealed class RecordedUnits : IDisposable
 {
     private readonly RecordedEventSource _source;
@@ -23,16 +24,16 @@ internal sealed class RecordedUnits : IDisposable
 
     public TimeSpan Duration => _source.Duration;
 
-    /// <summary>Whether the unit that was read last is a calculation packet.</summary>
+    /// <summary>Whether the last unit is a calculation packet.</summary>
     public bool IsCalculation { get; private set; }
 
-    /// <summary>The most bytes that a unit has.</summary>
+    /// <summary>Maximum size of a unit in bytes.</summary>
     public static int LongestUnit(int maxValues) => UnitCollector.MaxNoiseLength
         + ProtocolConstants.HeaderSize + Math.Max(maxValues * sizeof(float), ProtocolConstants.MaxCommandPayload) + UnitCollector.MaxNoiseLength;
 
     /// <summary>Reads the next unit.</summary>
-    /// <param name="unit">Its bytes; valid until the next call.</param>
-    /// <param name="time">When it was there, since the start.</param>
+    /// <param name="unit">The bytes of the unit, valid until the next call.</param>
+    /// <param name="time">The time at which the unit was complete, since the start.</param>
     /// <returns>False at the end.</returns>
     public bool TryRead(out ReadOnlySpan<byte> unit, out TimeSpan time)
     {

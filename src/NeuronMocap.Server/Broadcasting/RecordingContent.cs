@@ -2,19 +2,20 @@ using NeuronMocap.Recording;
 
 namespace NeuronMocap.Server.Broadcasting;
 
-/// <summary>
-/// A recording as it was received, or a part of it. What counts as a frame is a unit: a packet or a line, or bytes that are neither, which go with the motion.
-/// </summary>
+/// <summary>A recording as it was received, or a part of it.</summary>
+/// <remarks>
+/// Each unit counts as a frame. A unit is a packet, a line, or bytes that are neither. Bytes that are neither belong to the motion.
+/// </remarks>
 internal sealed class RecordingContent : BroadcastContent
 {
     private readonly string _path;
     private readonly bool _isLooped;
     private readonly PlaybackOptions _options;
 
-    /// <summary>Opens the recording once, to see whether it can be played.</summary>
-    /// <param name="options">Which recording.</param>
-    /// <param name="hasMotion">Whether what is not calculation belongs to it.</param>
-    /// <param name="hasCalculation">Whether calculation packets do.</param>
+    /// <summary>Opens the recording once to check that it can be played.</summary>
+    /// <param name="options">The settings, with the recording.</param>
+    /// <param name="hasMotion">Whether the content includes everything except calculation packets.</param>
+    /// <param name="hasCalculation">Whether the content includes calculation packets.</param>
     public RecordingContent(BroadcasterOptions options, bool hasMotion, bool hasCalculation)
     {
         HasMotion = hasMotion;
@@ -32,14 +33,14 @@ internal sealed class RecordingContent : BroadcastContent
 
     public override bool HasMotion { get; }
 
-    // Where both are in it, nothing tells them apart.
+    // When the content includes both, all units count as motion.
     public override bool HasCalculation => !HasMotion;
 
     public bool TakesCalculation { get; }
 
     public override int MaxFrameSize { get; }
 
-    // A single frame is what there is.
+    // The bytes are always a single frame.
     public override int MeasurePacket(ReadOnlySpan<byte> frames, bool isMotion) => frames.Length;
 
     public override FrameFeed CreateFeed(bool isSingle) => new RecordingFeed(this, _isLooped, isSingle);

@@ -1,6 +1,6 @@
 namespace NeuronMocap.Server.Broadcasting;
 
-/// <summary>The whole recording, or its part, for one recipient, as fast as it asks.</summary>
+/// <summary>The whole recording, or its part, for one recipient, as fast as the recipient reads.</summary>
 internal sealed class RecordingFeed(RecordingContent content, bool isLooped, bool isSingle) : FrameFeed
 {
     private readonly RecordedUnits _units = content.OpenUnits();

@@ -2,12 +2,12 @@ using NeuronMocap.Recording;
 
 namespace NeuronMocap.Server.Broadcasting;
 
-/// <summary>Publishes the units of a recording when they arrived.</summary>
-/// <param name="streams">The recording, or its parts, and where to publish them.</param>
+/// <summary>Publishes the units of a recording at the times at which they arrived.</summary>
+/// <param name="streams">The recording or its parts, and the logs to publish to.</param>
 /// <param name="options">Speed and loop.</param>
-/// <param name="ended">As the base has it.</param>
-/// <param name="report">As the base has it.</param>
-/// <param name="time">The time; null for the real one.</param>
+/// <param name="ended">See the base class.</param>
+/// <param name="report">See the base class.</param>
+/// <param name="time">The clock; null for the real one.</param>
 internal sealed class RecordingPacer(
     IReadOnlyList<(RecordingContent Content, FrameLog Log)> streams, BroadcasterOptions options, Action<Exception?> ended, FaultReport report, PlaybackTime? time = null)
     : Pacer(ended, report)
@@ -28,7 +28,7 @@ internal sealed class RecordingPacer(
         }
     }
 
-    // False when the broadcast is stopped first.
+    // Returns false when the broadcast is stopped first.
     private bool PublishPass(RecordedUnits units)
     {
         while (units.TryRead(out ReadOnlySpan<byte> unit, out TimeSpan due))

@@ -2,17 +2,17 @@ using NeuronMocap.Protocol;
 
 namespace NeuronMocap.Server.Broadcasting;
 
-/// <summary>The packets of Axis Studio (protocol.md section 9).</summary>
+/// <summary>Encodes the packets of Axis Studio (protocol.md section 9).</summary>
 internal sealed class StudioFrameEncoder(FramePlan plan) : BinaryFrameEncoder(plan)
 {
     private const long SecondsPerDay = 24 * 60 * 60;
 
     private readonly byte[] _payload = new byte[plan.StudioCalculation is null ? 0 : StudioCalculationSynthesizer.PayloadSize];
 
-    /// <summary>The time of a frame, counted from frame 0 at midnight, as the two reserved fields hold it.</summary>
+    /// <summary>Gets the timecode of a frame in the format of the two reserved fields. Frame 0 is at midnight.</summary>
     /// <param name="frame">Number of the frame.</param>
     /// <param name="rate">Frames per second.</param>
-    /// <returns>0x00HHMMSS, and the number of the frame within its second.</returns>
+    /// <returns>The time as 0x00HHMMSS, and the number of the frame within its second.</returns>
     public static (uint Time, uint SubFrame) GetTimecode(long frame, double rate)
     {
         long seconds = (long)(frame / rate);
@@ -24,7 +24,7 @@ internal sealed class StudioFrameEncoder(FramePlan plan) : BinaryFrameEncoder(pl
         return (packed, (uint)(frame - FirstFrame(seconds, rate)));
     }
 
-    // Rates such as 29.97 are not exact: where a second begins with a frame, the product may come out a trifle too large.
+    // Rates such as 29.97 are not exact. Where a frame starts a second, the product may be slightly too large.
     private static long FirstFrame(long second, double rate) => (long)Math.Ceiling((second * rate) - 1e-6);
 
     protected override MotionHeader CreateHeader(long frame, int avatar)

@@ -1,9 +1,9 @@
 namespace NeuronMocap.Server.Broadcasting;
 
-/// <summary>
-/// The whole take from frame 0 for one recipient, computed as it asks: possible because sources are pure functions of the frame number.
-/// Its reader is its clock, and nothing is lost.
-/// </summary>
+/// <summary>The whole take from frame 0 for one recipient, computed as the recipient reads.</summary>
+/// <remarks>
+/// This is possible because sources are pure functions of the frame number. The recipient sets the pace and misses no frame.
+/// </remarks>
 internal sealed class TakeFeed(FramePlan plan) : FrameFeed
 {
     private readonly FrameEncoder _encoder = plan.CreateEncoder();

@@ -3,13 +3,13 @@ using NeuronMocap.Server.Faults;
 
 namespace NeuronMocap.Server.Broadcasting;
 
-/// <summary>The lines of the text stream (protocol.md section 8).</summary>
+/// <summary>Encodes the lines of the text stream (protocol.md section 8).</summary>
 internal sealed class TextFrameEncoder(FramePlan plan) : FrameEncoder(plan)
 {
     private readonly bool _lineFeedOnly = plan.TextQuirks.HasFlag(TextQuirks.LineFeedOnly);
     private readonly bool _strayZeros = plan.TextQuirks.HasFlag(TextQuirks.StrayZeros);
 
-    // One more for a stray zero.
+    // One more byte for a stray zero.
     public static int MaxMotionSize(FramePlan plan) => 1 + TextEncoder.GetMaxMotionSize(plan.Layout.ValueCount, plan.TextDecimals);
 
     public static int MaxCalculationSize(FramePlan plan) => 1 + TextEncoder.GetMaxCalculationSize(plan.CalculationValueCount, plan.TextDecimals);

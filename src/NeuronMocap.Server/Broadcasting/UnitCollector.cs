@@ -2,10 +2,12 @@ using NeuronMocap.Protocol;
 
 namespace NeuronMocap.Server.Broadcasting;
 
-/// <summary>Cuts what an assembler finds into the units of a broadcast, without a byte more or less. Allocates nothing once it is warm.</summary>
+/// <summary>
+/// Cuts the output of an assembler into the units of a broadcast and keeps every byte. Does not allocate once its buffers have grown.
+/// </summary>
 internal sealed class UnitCollector : IPacketReceiver
 {
-    // Bytes that are no packet do not wait for one when there are so many.
+    // When this many bytes do not belong to a packet, they form a unit and no longer wait for a packet.
     public const int MaxNoiseLength = 16 * 1024;
 
     private readonly List<(int End, TimeSpan Time, bool IsCalculation)> _units = [];
@@ -15,12 +17,12 @@ internal sealed class UnitCollector : IPacketReceiver
     private bool _isText;
     private int _next;
 
-    // Of what comes now.
+    // Arrival time of the bytes that come next.
     public TimeSpan Time { get; set; }
 
     private int Start => _units.Count > 0 ? _units[^1].End : 0;
 
-    // The bytes of a line were told before it.
+    // OnText has already received the bytes of a line.
     public void OnPacket(in ReceivedPacket packet)
     {
         if (packet.IsText)
@@ -57,7 +59,7 @@ internal sealed class UnitCollector : IPacketReceiver
         }
     }
 
-    // Nothing more came with the piece. At the end of a connection nothing is waited for.
+    // Called when nothing more follows in the piece. At the end of a connection the rest is cut, too.
     public void EndPiece(bool isLast)
     {
         EndBlanks();
@@ -65,7 +67,7 @@ internal sealed class UnitCollector : IPacketReceiver
             Cut();
     }
 
-    // Valid until the next piece.
+    // The unit is valid until the next piece.
     public bool TryTake(out ReadOnlySpan<byte> unit, out TimeSpan time, out bool isCalculation)
     {
         if (_next == _units.Count)
@@ -83,7 +85,7 @@ internal sealed class UnitCollector : IPacketReceiver
         return true;
     }
 
-    // Text that no frame followed: it stands behind a line, whose reader may wait for it.
+    // Text without a frame: if it stands directly behind a line, it belongs to that line, whose reader may wait for it.
     private void EndBlanks()
     {
         if (!_isText)

@@ -2,19 +2,19 @@ using System.Diagnostics;
 
 namespace NeuronMocap.Server.Broadcasting;
 
-/// <summary>
-/// A background thread whose end can be awaited with a bound: before it was started, too, and from the thread itself. Whatever is thrown on it is
-/// reported and ends the thread, never the process: sources, writers and handlers are the user's.
-/// </summary>
+/// <summary>A background thread whose end can be awaited with a deadline. The wait also works before the start and on the thread itself.</summary>
+/// <remarks>
+/// Sources, providers and handlers are user code. An exception on the thread is reported and ends the thread, but never the process.
+/// </remarks>
 internal sealed class Worker
 {
     private readonly Thread _thread;
     private readonly FaultReport _report;
 
-    /// <summary>Makes a worker that does nothing yet.</summary>
+    /// <summary>Creates a worker without starting it.</summary>
     /// <param name="name">Name of the thread.</param>
-    /// <param name="body">What it does. Cleans up behind itself, also when something throws.</param>
-    /// <param name="report">Told what was thrown, on the thread.</param>
+    /// <param name="body">The work. It cleans up even if it throws.</param>
+    /// <param name="report">Receives the exceptions, on the thread.</param>
     public Worker(string name, Action body, FaultReport report)
     {
         _report = report;
@@ -27,9 +27,9 @@ internal sealed class Worker
 
     public void Start() => _thread.Start();
 
-    /// <summary>Does a part of the work whose failure the rest survives.</summary>
+    /// <summary>Runs a part of the work that may fail without ending the rest.</summary>
     /// <param name="part">The part.</param>
-    /// <returns>False when it threw, which was reported.</returns>
+    /// <returns>False if the part threw an exception, which was reported.</returns>
     public bool Attempt(Action part)
     {
         try
@@ -45,7 +45,7 @@ internal sealed class Worker
     }
 
     /// <summary>Waits for the end of the thread.</summary>
-    /// <param name="deadline">Until when, in ticks of <see cref="Stopwatch"/>.</param>
+    /// <param name="deadline">The end of the wait, in ticks of <see cref="Stopwatch"/>.</param>
     public void Join(long deadline)
     {
         if (_thread == Thread.CurrentThread || !IsStarted)

@@ -2,29 +2,29 @@ using NeuronMocap.Server.Broadcasting;
 
 namespace NeuronMocap.Server.Clients;
 
-// What goes to one port: its content, where it is published, and who listens there. The port's state is guarded by the broadcaster's gate.
+// The stream of one port: its content, its log and its listener. The broadcaster's gate guards the state of the port.
 internal sealed class BroadcastStream(BroadcastContent content, FrameLog? log, DataCommandReplies? replies)
 {
     public BroadcastContent Content => content;
 
-    // Null where every recipient gets the whole take at its own speed.
+    // Null if every recipient gets the whole take at its own speed.
     public FrameLog? Log => log;
 
-    // Null where commands are not answered.
+    // Null if commands are not answered.
     public DataCommandReplies? Replies => replies;
 
-    // The calculation stream beside the motion, on a port of its own.
+    // Whether this is the calculation stream on its own port.
     public bool IsBeside { get; init; }
 
-    // Whether TCP clients get every packet in a write of its own.
+    // Whether TCP clients get every packet in a separate write.
     public bool IsPacketwise { get; init; }
 
-    // Null where only UDP destinations are served.
+    // Null if only UDP destinations are served.
     public ClientListener? Listener { get; private set; }
 
     public bool HasAccepted { get; set; }
 
-    // Whether a TCP client had everything.
+    // Whether a TCP client received everything.
     public bool HasServed { get; set; }
 
     public void Listen(ClientListener listener) => Listener = listener;

@@ -4,23 +4,23 @@ using NeuronMocap.Server.Broadcasting;
 
 namespace NeuronMocap.Server.Clients;
 
-/// <summary>Accepts connections on a thread of its own until it is disposed.</summary>
+/// <summary>Accepts connections on its own thread until it is disposed.</summary>
 internal sealed class ClientListener : IDisposable
 {
     private const int Backlog = 512;
 
-    // After an error that will not go away by itself, such as no more file handles: long enough not to spin, short enough for a client.
+    // The delay in milliseconds after an error that lasts, such as no more file handles. It is long enough not to spin and short enough for a client.
     private const int RetryDelay = 50;
 
     private readonly Socket _socket;
     private readonly Action<Socket> _accepted;
     private volatile bool _isDisposed;
 
-    /// <summary>Takes the port.</summary>
-    /// <param name="endPoint">Address and port; port 0 for any free one.</param>
-    /// <param name="accepted">Called on the listener's thread; it owns the socket, unless it throws.</param>
-    /// <param name="report">Told what that throws. The listener goes on.</param>
-    /// <exception cref="SocketException">The address or the port cannot be had.</exception>
+    /// <summary>Opens the port.</summary>
+    /// <param name="endPoint">Address and port. Port 0 takes any free port.</param>
+    /// <param name="accepted">Called on the listener's thread. It owns the socket, unless it throws.</param>
+    /// <param name="report">Receives the exceptions that <paramref name="accepted"/> throws. The listener goes on.</param>
+    /// <exception cref="SocketException">The address or the port is not available.</exception>
     public ClientListener(IPEndPoint endPoint, Action<Socket> accepted, FaultReport report)
     {
         _accepted = accepted;
@@ -68,7 +68,7 @@ internal sealed class ClientListener : IDisposable
             }
             catch (Exception exception) when (exception is SocketException or OutOfMemoryException)
             {
-                // The client was gone before it was accepted, or the system is out of handles or memory for the moment.
+                // The client disconnected before it was accepted, or the system is temporarily out of handles or memory.
                 if (!_isDisposed)
                     Thread.Sleep(RetryDelay);
             }

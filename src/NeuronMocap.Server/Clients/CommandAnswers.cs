@@ -7,10 +7,10 @@ using NeuronMocap.Skeleton;
 
 namespace NeuronMocap.Server.Clients;
 
-// What the command channel knows of a broadcast (protocol.md section 6). ZeroOut is told an avatar, and says whether there is one. Any thread.
+// Answers of the command channel about a broadcast (protocol.md section 6). ZeroOut returns whether the avatar exists. Thread-safe.
 internal sealed class CommandAnswers(FramePlan plan, double rate, Func<int, bool> zeroOut, Action zeroOutAll)
 {
-    // Zero-out: 1, or 0 for an avatar that there is not. Else the answer, and nothing where there is none.
+    // For a zero-out: 1, or 0 if the avatar does not exist. For other commands the answer, or nothing if there is no answer.
     public byte[] GetPayload(int commandId, ReadOnlySpan<byte> parameters)
     {
         int avatar = parameters.Length >= sizeof(int) ? BinaryPrimitives.ReadInt32LittleEndian(parameters) : -1;
@@ -48,7 +48,7 @@ internal sealed class CommandAnswers(FramePlan plan, double rate, Func<int, bool
 
     private MotionSource? Find(int avatar) => (uint)avatar < (uint)plan.AvatarCount ? plan.Sources[avatar] : null;
 
-    // Appendix B goes on to the first lines of the motion; of a live stream there are no rows.
+    // The header in Appendix B includes the first lines of the motion. A live stream has no rows.
     private string GetHeader(MotionSource source)
     {
         double frameRate = double.IsPositiveInfinity(rate) ? source.FrameRate : rate;

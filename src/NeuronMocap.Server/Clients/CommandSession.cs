@@ -7,13 +7,13 @@ using NeuronMocap.Transport;
 
 namespace NeuronMocap.Server.Clients;
 
-// One client of the command channel, on a thread of its own: reads requests and answers them, one after the other.
+// One client of the command channel. Its own thread reads requests and answers them one after the other.
 internal sealed class CommandSession : IDisposable
 {
-    // Requests have four bytes at most.
+    // Real requests have at most four bytes of parameters.
     private const int MaxParameters = 1024;
 
-    // A client that does not read its answers is let go.
+    // A client that does not read its answers is disconnected.
     private const int SendTimeout = 5000;
 
     private readonly Socket _socket;
@@ -25,7 +25,7 @@ internal sealed class CommandSession : IDisposable
     private readonly CommandPacketReader _reader = new(MaxParameters);
     private bool _isAsking;
 
-    // Stop is the server's, and ends a delay. Ended is called once, on the session's thread. A source that throws ends the session.
+    // The server owns the event stop, which ends a delay. ended is called once, on the session's thread. An exception of a source ends the session.
     public CommandSession(
         Socket socket,
         CommandAnswers answers,
@@ -49,10 +49,10 @@ internal sealed class CommandSession : IDisposable
 
     public Worker Worker { get; }
 
-    // Any thread.
+    // Thread-safe.
     public IdleClock Idle => _idle;
 
-    // Any thread. The client has closed its side and there is nothing left to answer: the session is about to end.
+    // Thread-safe. The client has closed its side and no answer is left to send, so the session is about to end.
     public bool IsLeft
     {
         get
@@ -78,7 +78,7 @@ internal sealed class CommandSession : IDisposable
         }
         catch (Exception exception) when (!_isAsking && (SocketErrors.IsExpected(exception) || exception is OutOfMemoryException))
         {
-            // The client went away or the server closed the socket: the ordinary ends of a connection. Or there was no memory for it.
+            // The client disconnected or the server closed the socket. Both are ordinary ends of a connection. Or memory ran out.
         }
         finally
         {
@@ -87,7 +87,7 @@ internal sealed class CommandSession : IDisposable
         }
     }
 
-    // Closing alone over unread bytes resets the connection and takes an answer with it that the client has not read.
+    // Closing a socket with unread bytes resets the connection. The client would lose an answer that it has not read yet.
     private void Close()
     {
         try
@@ -96,7 +96,7 @@ internal sealed class CommandSession : IDisposable
         }
         catch (Exception exception) when (SocketErrors.IsExpected(exception))
         {
-            // It was closed before, by either side.
+            // The client or the server already closed it.
         }
 
         _socket.Dispose();
@@ -110,7 +110,7 @@ internal sealed class CommandSession : IDisposable
             ReadOnlySpan<byte> parameters;
             while (!_reader.TryRead(out request, out parameters))
             {
-                // What is no request gives no more time.
+                // Bytes that are not a request do not extend the time.
                 if (_idle.GetRest() is not { } rest)
                     return;
 
@@ -123,7 +123,7 @@ internal sealed class CommandSession : IDisposable
                 _reader.Add(count);
             }
 
-            // After a size that cannot be, nobody knows where the next request begins.
+            // After an impossible size, the start of the next request is unknown.
             _idle.Stop();
             if (!_reader.IsAllowed(request) || !Answer(request, parameters))
                 return;
@@ -132,7 +132,7 @@ internal sealed class CommandSession : IDisposable
         }
     }
 
-    // False when the connection is to be closed.
+    // Returns false when the connection must be closed.
     private bool Answer(in CommandChannelHeader request, ReadOnlySpan<byte> parameters)
     {
         _isAsking = true;

@@ -2,13 +2,14 @@ using NeuronMocap.Protocol;
 
 namespace NeuronMocap.Server.Clients;
 
-/// <summary>
-/// What one client has asked for and not yet been sent. A reply is made when it is sent, and so tells the value of that moment; what waits is a
-/// few bytes for each, and no more than a thousand requests. Safe on any thread.
-/// </summary>
+/// <summary>The requests of one client that have not been answered yet. Thread-safe.</summary>
+/// <remarks>
+/// A reply is made when it is sent, so it carries the value of that moment. A waiting request takes a few bytes, and at most
+/// <see cref="Capacity"/> requests wait.
+/// </remarks>
 internal sealed class DataCommandQueue(DataCommandReplies replies)
 {
-    // More than a client of 256 avatars asks for in one go; one that does not read its replies gets no further.
+    // More than a client of 256 avatars requests at once. A client that does not read its replies cannot queue more.
     public const int Capacity = 1024;
 
     private readonly object _lock = new();
@@ -22,7 +23,7 @@ internal sealed class DataCommandQueue(DataCommandReplies replies)
     // Requests that have no answer.
     public long Ignored => Interlocked.Read(ref _ignored);
 
-    // Requests beyond the capacity.
+    // Requests that exceeded the capacity.
     public long Dropped => Interlocked.Read(ref _dropped);
 
     public bool IsEmpty
@@ -57,7 +58,7 @@ internal sealed class DataCommandQueue(DataCommandReplies replies)
         }
     }
 
-    // A value has changed. Returns whether there is something to send.
+    // Called when a value has changed. Returns whether there is something to send.
     public bool Push(DataCommandId id, int avatar)
     {
         lock (_lock)
@@ -85,7 +86,7 @@ internal sealed class DataCommandQueue(DataCommandReplies replies)
         }
     }
 
-    // The values of now are sent at once: else a client that wants to keep up would have to fetch them, too.
+    // The current values are sent at once. Otherwise a client that wants to stay current would also have to request them.
     private bool Register(DataCommandId id)
     {
         int count = replies.CountValues(id);
@@ -111,7 +112,7 @@ internal sealed class DataCommandQueue(DataCommandReplies replies)
         _waiting.Enqueue(request);
     }
 
-    // Of each value one at most waits, and it will tell the newest.
+    // At most one push of each value waits. It will carry the newest value.
     private void EnqueuePush(DataCommandId id, int avatar)
     {
         var entry = new Entry(id, avatar, IsPush: true);

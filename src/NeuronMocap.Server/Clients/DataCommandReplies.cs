@@ -8,7 +8,7 @@ using NeuronMocap.Skeleton;
 namespace NeuronMocap.Server.Clients;
 
 /// <summary>
-/// What the broadcaster answers to commands on data connections (protocol.md section 7). Shared by all clients; safe on any thread.
+/// Replies of the broadcaster to commands on data connections (protocol.md section 7). All clients share it; thread-safe.
 /// </summary>
 internal sealed class DataCommandReplies(FramePlan plan, int? lengthField)
 {
@@ -17,11 +17,11 @@ internal sealed class DataCommandReplies(FramePlan plan, int? lengthField)
 
     private readonly int[] _modes = [.. Enumerable.Repeat((int)SensorCombination.FullBody, plan.AvatarCount)];
 
-    // Made when somebody asks. Two threads may make the same one; it does not matter whose stays.
+    // Created on the first request. Two threads may create the same reply, and either one may be kept.
     private readonly byte[]?[] _boneSizes = new byte[]?[plan.AvatarCount];
     private readonly byte[]?[] _texts = new byte[]?[plan.AvatarCount];
 
-    // How often a value exists; 0 where it is not known how a reply carries it.
+    // The number of instances of a value. 0 if it is unknown how a reply carries the value.
     public int CountValues(DataCommandId id) => id switch
     {
         DataCommandId.AvatarCount => 1,
@@ -29,18 +29,18 @@ internal sealed class DataCommandReplies(FramePlan plan, int? lengthField)
         _ => 0,
     };
 
-    // The number of avatars is nobody's own: whatever stands beside the request.
+    // The number of avatars does not belong to an avatar, so the avatar of the request does not matter.
     public bool Has(DataCommandId id, int avatar) =>
         id == DataCommandId.AvatarCount || (uint)avatar < (uint)CountValues(id);
 
     public SensorCombination GetMode(int avatar) => (SensorCombination)Volatile.Read(ref _modes[avatar]);
 
-    // Returns whether it was another one before.
+    // Returns whether the value changed.
     public bool SetMode(int avatar, SensorCombination mode) => Interlocked.Exchange(ref _modes[avatar], (int)mode) != (int)mode;
 
     public int Measure(DataCommandId id, int avatar) => ProtocolConstants.HeaderSize + GetPayload(id, avatar).Length;
 
-    // Room for what was measured; the value is that of now.
+    // The destination has room for the measured size. The reply carries the current value.
     public void Write(DataCommandId id, int avatar, Span<byte> destination)
     {
         ReadOnlySpan<byte> payload = GetPayload(id, avatar);

@@ -2,7 +2,7 @@ using System.Diagnostics;
 
 namespace NeuronMocap.Server.Clients;
 
-/// <summary>How long a client has asked nothing. Safe to read on any thread.</summary>
+/// <summary>Measures how long a client has sent no request. Any thread may read it.</summary>
 internal sealed class IdleClock
 {
     private const long Busy = -1;
@@ -13,8 +13,8 @@ internal sealed class IdleClock
     private volatile bool _hasAsked;
 
     /// <summary>Starts the clock.</summary>
-    /// <param name="timeout">When the client is to go; infinite for never.</param>
-    /// <param name="getTimestamp">The time, in ticks of <see cref="Stopwatch"/>.</param>
+    /// <param name="timeout">Idle time after which the client is disconnected; infinite for never.</param>
+    /// <param name="getTimestamp">Returns the time in ticks of <see cref="Stopwatch"/>.</param>
     public IdleClock(TimeSpan timeout, Func<long> getTimestamp)
     {
         _timeout = timeout == Timeout.InfiniteTimeSpan ? long.MaxValue : (long)(timeout.TotalSeconds * Stopwatch.Frequency);
@@ -22,24 +22,24 @@ internal sealed class IdleClock
         _since = getTimestamp();
     }
 
-    /// <summary>Whether the client has ever asked anything.</summary>
+    /// <summary>Whether the client has ever sent a request.</summary>
     public bool HasAsked => _hasAsked;
 
-    /// <summary>Ticks since the last answer, or since the start; null while an answer is made.</summary>
+    /// <summary>Ticks since the last answer, or since the start. Null while an answer is made.</summary>
     public long? Elapsed => Interlocked.Read(ref _since) is var since && since == Busy ? null : _getTimestamp() - since;
 
-    /// <summary>A request came.</summary>
+    /// <summary>Stops the clock because a request came.</summary>
     public void Stop()
     {
         _hasAsked = true;
         Interlocked.Exchange(ref _since, Busy);
     }
 
-    /// <summary>It was answered.</summary>
+    /// <summary>Restarts the clock because the request was answered.</summary>
     public void Restart() => Interlocked.Exchange(ref _since, _getTimestamp());
 
-    /// <summary>How long to wait for the next bytes.</summary>
-    /// <returns>Milliseconds; 0 for ever, as sockets have it; null when the time is over.</returns>
+    /// <summary>Gets how long to wait for the next bytes.</summary>
+    /// <returns>Milliseconds; 0 for no limit, as sockets define it; null when the time is over.</returns>
     public int? GetRest()
     {
         if (_timeout == long.MaxValue)

@@ -4,13 +4,13 @@ using NeuronMocap.Server.Broadcasting;
 
 namespace NeuronMocap.Server.Clients;
 
-/// <summary>
-/// One receiver of the broadcast: its socket, its feed, and the thread that carries bytes from the one to the other. The writes block: a
-/// receiver that does not read stops its own thread and nothing else. Closing the socket ends the thread wherever it is.
-/// </summary>
+/// <summary>One recipient of the broadcast: its socket, its feed, and the thread that writes the feed to the socket.</summary>
+/// <remarks>
+/// Writes block. A recipient that does not read blocks only its own thread. Closing the socket ends the thread at any point.
+/// </remarks>
 internal abstract class Recipient : IDisposable
 {
-    // Fewer system calls when a client is behind, and no more than this is under way when it vanishes.
+    // A large buffer needs fewer system calls when a client is behind. It also limits the bytes in flight when a client vanishes.
     private const int BufferSize = 128 * 1024;
 
     private readonly Action<Recipient, Exception?> _ended;
@@ -21,7 +21,7 @@ internal abstract class Recipient : IDisposable
     private long _bytesSent;
     private long _repliesSent;
 
-    // Ended is called once, on the recipient's thread, with what a source threw if one did.
+    // ended is called once, on the recipient's thread, with the exception of a source if there was one.
     protected Recipient(Socket socket, EndPoint? remoteEndPoint, BroadcastStream stream, FrameFeed feed, Action<Recipient, Exception?> ended, FaultReport report)
     {
         Socket = socket;
@@ -41,7 +41,7 @@ internal abstract class Recipient : IDisposable
     // Whether every byte, up to the last frame, was handed to the network.
     public bool HadAll { get; private set; }
 
-    // Safe on any thread.
+    // Thread-safe.
     public RecipientCounters Counters => new(
         Interlocked.Read(ref _framesSent),
         Interlocked.Read(ref _calculationFramesSent),
@@ -51,7 +51,7 @@ internal abstract class Recipient : IDisposable
         Commands?.Ignored ?? 0,
         Commands?.Dropped ?? 0);
 
-    // What the receiver has asked for; null where it cannot ask.
+    // The requests of the recipient. Null if it cannot send requests.
     protected DataCommandQueue? Commands { get; init; }
 
     protected Socket Socket { get; }
@@ -65,22 +65,22 @@ internal abstract class Recipient : IDisposable
 
     public virtual void Dispose() => Socket.Dispose();
 
-    // For one whose thread was never started, and so does not let go of the feed.
+    // For a recipient whose thread was never started and therefore does not close the feed.
     public void Discard()
     {
         Dispose();
         Feed.Close();
     }
 
-    // Sends until the feed ends or the network refuses; true when all was sent.
+    // Sends until the feed ends or the network fails. Returns true when everything was sent.
     protected abstract bool SendAll();
 
-    // Called when all was sent, before the socket is closed.
+    // Called when everything was sent, before the socket is closed.
     protected virtual void Finish()
     {
     }
 
-    // What a source throws ends the broadcast; want of memory may have hit this receiver's thread by chance, and ends this receiver.
+    // An exception of a source ends the broadcast. A lack of memory may hit this recipient's thread by chance, so it ends only this recipient.
     protected FrameBatch ReadFeed(Span<byte> destination)
     {
         try
@@ -93,7 +93,7 @@ internal abstract class Recipient : IDisposable
         }
     }
 
-    // For filters of code that asks a source; true, unless memory is short.
+    // For exception filters around calls of a source. Returns true unless memory ran out.
     protected bool IsOfSource(Exception exception)
     {
         if (exception is OutOfMemoryException)
@@ -105,7 +105,7 @@ internal abstract class Recipient : IDisposable
 
     protected void CountBytes(int bytes) => Interlocked.Add(ref _bytesSent, bytes);
 
-    // Packets handed to the network so far.
+    // Sets the number of packets handed to the network so far.
     protected void SetFrames(long motion, long calculation)
     {
         Interlocked.Exchange(ref _framesSent, motion);
@@ -128,7 +128,7 @@ internal abstract class Recipient : IDisposable
         }
         catch (Exception exception) when (exception is SocketException or ObjectDisposedException or OutOfMemoryException)
         {
-            // The client went away or the broadcaster closed the socket: the ordinary ends of a connection. Or there was no memory for it.
+            // The client disconnected or the broadcaster closed the socket. Both are ordinary ends of a connection. Or memory ran out.
             error = _sourceError;
         }
         catch (Exception exception)

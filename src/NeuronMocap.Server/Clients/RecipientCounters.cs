@@ -1,6 +1,6 @@
 namespace NeuronMocap.Server.Clients;
 
-// What one recipient, or several together, have been sent and have lost.
+// Counts what one or more recipients were sent and what they missed.
 internal readonly record struct RecipientCounters(
     long FramesSent, long CalculationFramesSent, long PacketsDropped, long BytesSent, long RepliesSent, long RequestsIgnored, long RequestsDropped)
 {

@@ -2,22 +2,23 @@ using NeuronMocap.Protocol;
 
 namespace NeuronMocap.Server.Clients;
 
-/// <summary>
-/// Finds requests in what a client sends: 64 bytes between the tokens of a command, wherever they begin. Unlike replies they have no payload,
-/// whatever their count says, so that no garbage makes the scanner wait for bytes that never come. Not thread-safe.
-/// </summary>
+/// <summary>Finds requests in the bytes of a client. A request has 64 bytes between the tokens of a command and may start anywhere.</summary>
+/// <remarks>
+/// Unlike replies, requests have no payload, whatever their count says. Garbage therefore cannot make the scanner wait for bytes that never come.
+/// Not thread-safe.
+/// </remarks>
 internal sealed class RequestScanner
 {
     private readonly byte[] _buffer = new byte[4096];
     private int _count;
 
-    // Where the next bytes go.
+    // Room for the next bytes.
     public Memory<byte> Room => _buffer.AsMemory(_count);
 
-    // Takes the bytes that were put there.
+    // Takes the bytes that were written to Room.
     public void Advance(int count) => _count += count;
 
-    // Asked until there is none; only then is there room again.
+    // Call it until it returns false. Only then is there room again.
     public bool TryRead(out DataCommandHeader request)
     {
         ReadOnlySpan<byte> bytes = _buffer.AsSpan(0, _count);

@@ -5,23 +5,25 @@ using NeuronMocap.Transport;
 
 namespace NeuronMocap.Server.Clients;
 
-/// <summary>
-/// A client's connection. Clients need not send anything (protocol.md section 4.1). The commands that they may send are answered between whole
-/// packets (section 7), in the middle of a frame too where its packets are sent one by one. Whatever they send is read, because a socket that is
-/// closed over unread bytes resets the connection and takes the client's last frames with it.
-/// </summary>
+/// <summary>The connection of a TCP client. Clients need not send anything (protocol.md section 4.1).</summary>
+/// <remarks>
+/// Commands of clients are answered between whole packets (section 7). Where the packets of a frame are sent one by one, that can be in the middle
+/// of a frame. Everything that clients send is read. Closing a socket with unread bytes would reset the connection and discard the client's last
+/// frames.
+/// </remarks>
 internal sealed class TcpClientSession : Recipient
 {
-    // Bounds what the system keeps for a client that does not read. By default it is megabytes, which is a minute of old frames.
+    // Limits the data that the system buffers for a client that does not read. The default is megabytes, which hold a minute of old frames.
     private const int SendBufferSize = 256 * 1024;
 
-    // The time limit of a write counts from its begin, however much the client takes meanwhile: so none is long.
+    // The timeout of a write counts from its start, even while the client reads. Long writes are therefore avoided.
     private const int MaxWrite = 128 * 1024;
 
-    // Replies in one go, so that a client that asks for very much still gets its frames.
+    // Limits the replies that are sent together, so that a client with very many requests still gets its frames.
     private const int MaxReplies = 64 * 1024;
 
-    // Between two looks at what a client asks. A flood of requests wakes nobody more often, and waits in the client's own connection.
+    // The pause in milliseconds between two reads of requests. A flood of requests wakes the sender no more often and waits in the client's own
+    // connection.
     private const int ListeningPause = 10;
 
     // Milliseconds.
@@ -53,9 +55,9 @@ internal sealed class TcpClientSession : Recipient
         socket.NoDelay = true;
         socket.SendBufferSize = SendBufferSize;
 
-        // A client that vanished without a word takes no more. The wait for room in the buffer ends only when about a third of it is free.
+        // A client that vanished reads nothing more. The wait for buffer space ends only when about a third of the buffer is free.
         socket.SendTimeout = (int)options.ClientTimeout.TotalMilliseconds;
-        // While nothing is sent, only a probe can find out that the client is gone.
+        // While nothing is sent, only a keep-alive probe can detect that the client is gone.
         TcpKeepAlive.Enable(socket);
         _fragment = options.Fragment;
         _isPacketwise = stream.IsPacketwise && _fragment is null;
@@ -63,7 +65,7 @@ internal sealed class TcpClientSession : Recipient
         _buffer = new byte[ReadSize + (_fragment ?? 0)];
     }
 
-    // Closing alone resets a connection in the middle of a write; this way the client reads what was sent and then sees the end.
+    // Closing alone resets a connection in the middle of a write. After a shutdown the client reads the sent bytes and then sees the end.
     public override void Dispose()
     {
         try
@@ -72,13 +74,13 @@ internal sealed class TcpClientSession : Recipient
         }
         catch (Exception exception) when (exception is SocketException or ObjectDisposedException)
         {
-            // It was closed before, by either side.
+            // The client or the server already closed it.
         }
 
         base.Dispose();
     }
 
-    // Any thread: a value has changed.
+    // Thread-safe. Called when a value has changed.
     public void Push(DataCommandId id, int avatar)
     {
         if (Commands?.Push(id, avatar) == true)
@@ -108,7 +110,7 @@ internal sealed class TcpClientSession : Recipient
         return Feed.IsAtEnd;
     }
 
-    // The client sees the end of the stream after the last byte, and then has a while to take what is on its way and close its side.
+    // The client sees the end of the stream after the last byte. It then has some time to read the rest and close its side.
     protected override void Finish()
     {
         _isFinishing = true;
@@ -141,7 +143,7 @@ internal sealed class TcpClientSession : Recipient
         return true;
     }
 
-    // A reader that is only a little behind still gets packets one by one: two that are written at once arrive at once.
+    // A client that is only a little behind still gets packets one by one, because two packets in one write arrive together.
     private int NextPacket(int offset, in FrameBatch batch, int index)
     {
         if (index > 0 && batch.Packets <= Plan.PacketsPerFrame)
@@ -163,7 +165,7 @@ internal sealed class TcpClientSession : Recipient
         SetFrames(_motionSent, _calculationSent);
     }
 
-    // What was read is whole packets, so here ends one. Returns where the bytes end.
+    // The bytes read so far are whole packets, so a packet ends here. Returns where the bytes end.
     private int AppendReplies(int filled, out int count)
     {
         count = 0;
@@ -195,10 +197,10 @@ internal sealed class TcpClientSession : Recipient
         return filled;
     }
 
-    // Nobody takes what is queued for a client that is let go; the system would keep it and go on trying. Closing now resets the connection.
+    // Nobody will read the data queued for a client that is disconnected, but the system would keep trying. Closing now resets the connection.
     private void DropUnsent() => Socket.LingerState = new LingerOption(enable: true, seconds: 0);
 
-    // Ends when the client has closed its sending side, which is no reason to stop sending to it, or when the connection is gone.
+    // Ends when the client closes its sending side or the connection is gone. A closed sending side is not a reason to stop sending to the client.
     private async Task ListenAsync()
     {
         var scanner = new RequestScanner();
@@ -222,10 +224,10 @@ internal sealed class TcpClientSession : Recipient
         }
         catch (Exception exception) when (exception is SocketException or ObjectDisposedException or OutOfMemoryException)
         {
-            // The next write reports it.
+            // The next write reports the error.
         }
     }
 
-    // What was put into the stream up to a place, since the mark before.
+    // The packets and replies put into the stream between the previous mark and the position End.
     private readonly record struct Mark(long End, int Motion, int Calculation, int Replies);
 }

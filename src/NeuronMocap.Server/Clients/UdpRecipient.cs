@@ -4,13 +4,14 @@ using NeuronMocap.Server.Broadcasting;
 
 namespace NeuronMocap.Server.Clients;
 
-/// <summary>
-/// Sends to one UDP destination. A datagram never carries bytes of two packets; a packet or a line of text larger than the fragment
-/// size is cut, as Axis Neuron on macOS does: 1024 bytes, then the rest (protocol.md section 4.2).
-/// </summary>
+/// <summary>Sends to one UDP destination. A datagram never carries bytes of two packets.</summary>
+/// <remarks>
+/// A packet or a line of text larger than the fragment size is cut, as Axis Neuron on macOS does: 1024 bytes, then the rest (protocol.md section
+/// 4.2).
+/// </remarks>
 internal sealed class UdpRecipient : Recipient
 {
-    // The most that a datagram over IPv4 holds.
+    // Maximum size of a datagram over IPv4.
     private const int MaxDatagram = 65_507;
 
     private readonly int _fragment;
@@ -33,7 +34,7 @@ internal sealed class UdpRecipient : Recipient
     }
 
     /// <summary>Opens a socket that sends to a destination.</summary>
-    /// <exception cref="SocketException">There is no way there.</exception>
+    /// <exception cref="SocketException">No route leads to the destination.</exception>
     public static Socket Connect(IPEndPoint destination)
     {
         var socket = new Socket(destination.AddressFamily, SocketType.Dgram, ProtocolType.Udp);
@@ -64,7 +65,7 @@ internal sealed class UdpRecipient : Recipient
         return Feed.IsAtEnd;
     }
 
-    // Returns where the next packet begins.
+    // Returns where the next packet starts.
     private int SendPacket(int offset, int filled, bool isMotion)
     {
         int end = offset + Plan.MeasurePacket(_buffer.AsSpan(offset, filled - offset), isMotion);
@@ -91,7 +92,7 @@ internal sealed class UdpRecipient : Recipient
         return end;
     }
 
-    // "Refused" tells of an earlier datagram, which nobody received, and keeps this one from being sent: the second try sends it.
+    // The error "refused" reports that nobody received an earlier datagram, and it keeps this datagram from being sent. The second attempt sends it.
     private bool TrySend(int offset, int length)
     {
         Socket.Send(_buffer, offset, length, SocketFlags.None, out SocketError error);

@@ -3,166 +3,182 @@ using NeuronMocap.Protocol;
 
 namespace NeuronMocap.Server;
 
-/// <summary>
-/// What a <see cref="Broadcaster"/> sends, how, and to whom: the settings of Axis Neuron's broadcasting page and those of a test server.
-/// The broadcaster copies them when it is made; changes after that have no effect.
-/// </summary>
+/// <summary>Settings of a <see cref="Broadcaster"/>: those of Axis Neuron's broadcasting page, and those of a test server.</summary>
+/// <remarks>The broadcaster copies the settings when it is created. Later changes have no effect.</remarks>
 public sealed partial class BroadcasterOptions
 {
-    /// <summary>The <see cref="FrameRate"/> that means: as fast as each receiver takes it.</summary>
+    /// <summary>The value of <see cref="FrameRate"/> that sends as fast as each recipient reads.</summary>
     public const double MaxFrameRate = double.PositiveInfinity;
 
-    /// <summary>
-    /// One performance for each avatar, 1 to 256 of them; avatar indices follow the order. They are called on several threads at once.
-    /// With sources of different lengths the broadcast ends with the shortest.
-    /// </summary>
+    /// <summary>One source for each avatar, 1 to 256. The avatar indices follow the order of the list.</summary>
+    /// <remarks>Sources are called on several threads at once. If their lengths differ, the broadcast ends with the shortest.</remarks>
     public IReadOnlyList<MotionSource> Sources { get; set; } = [];
 
-    /// <summary>
-    /// A file to send instead of <see cref="Sources"/>: a recording, or a raw dump of a stream's bytes. Every byte is sent as it was received, also what is no
-    /// packet, in whole packets or lines of text, each when its last byte came. What makes packets of sources (names, format, layout, frame limit) has to be
-    /// left alone, and commands of clients are not answered. A raw dump, which has no times, is sent at <see cref="FrameRate"/>, or as
-    /// <see cref="Recording.PlaybackOptions.FrameRate"/> has it. Default: null.
-    /// </summary>
+    /// <summary>A file to send instead of <see cref="Sources"/>: a recording, or a raw dump of a stream's bytes. Default: null.</summary>
+    /// <remarks>
+    /// Every byte is sent as it was received, including bytes that are not part of a packet. Packets and lines of text are sent whole, each at the
+    /// time of its last byte. A raw dump has no times. It is sent at <see cref="FrameRate"/>, or as <see cref="Recording.PlaybackOptions.FrameRate"/>
+    /// describes.
+    /// <para>
+    /// Settings that shape the packets of sources (names, format, layout, frame limit) must keep their defaults. Commands of clients are not
+    /// answered.
+    /// </para>
+    /// </remarks>
     public string? RecordingPath { get; set; }
 
-    /// <summary>How many times as fast as it was recorded <see cref="RecordingPath"/> is sent, 0.01 to 100. Default: 1.</summary>
+    /// <summary>Speed at which <see cref="RecordingPath"/> is sent, relative to the recorded speed, 0.01 to 100. Default: 1.</summary>
     public double RecordingSpeed { get; set; } = 1;
 
-    /// <summary>Whether <see cref="RecordingPath"/> starts again at its end. Default: false.</summary>
+    /// <summary>Whether <see cref="RecordingPath"/> restarts at its end. Default: false.</summary>
     public bool LoopRecording { get; set; }
 
-    /// <summary>
-    /// Names of the avatars, the first for the first source; at most 32 bytes of UTF-8 each, the rest is cut off. Avatars without one are
-    /// Char00, Char01 and so on. Default: none.
-    /// </summary>
+    /// <summary>Names of the avatars, in the order of <see cref="Sources"/>. Default: none.</summary>
+    /// <remarks>
+    /// A name has at most 32 bytes of UTF-8; the rest is cut off. Avatars without a name are called Char00, Char01 and so on.
+    /// </remarks>
     public IReadOnlyList<string> AvatarNames { get; set; } = [];
 
-    /// <summary>
-    /// TCP port to listen on, 0 to 65535; 0 takes any free one, which <see cref="Broadcaster.LocalEndPoint"/> tells; null does not listen.
-    /// Default: 7001, as in Axis Neuron.
-    /// </summary>
+    /// <summary>TCP port to listen on, 0 to 65535. Null does not listen. Default: 7001, as in Axis Neuron.</summary>
+    /// <remarks>0 takes any free port. Read it from <see cref="Broadcaster.LocalEndPoint"/>.</remarks>
     public int? Port { get; set; } = ProtocolConstants.DefaultPort;
 
     /// <summary>
-    /// Port for calculation packets alone, 0 to 65535; null sends them behind the motion packets, on the same connections. Servers normally have a port for each,
-    /// 7001 and 7003 (protocol.md section 4.1). Over TCP the broadcaster listens there, on <see cref="BindAddress"/>, wherever <see cref="Port"/> is set;
-    /// 0 takes any free one, which <see cref="Broadcaster.CalculationEndPoint"/> tells. Over UDP, calculation goes to this port of every destination, from a
-    /// socket of its own. Needs <see cref="Calculation"/>, <see cref="StudioCalculation"/> or a <see cref="RecordingPath"/>, whose calculation packets then go there,
-    /// whichever way they were received. A line of text does not say whose calculation it is: with
-    /// several avatars only the order tells. Default: null.
+    /// Port for calculation packets only, 0 to 65535. Null sends them on the same connections, behind the motion packets. Default: null.
     /// </summary>
+    /// <remarks>
+    /// Servers normally use two ports, 7001 and 7003 (protocol.md section 4.1). The setting needs <see cref="Calculation"/>,
+    /// <see cref="StudioCalculation"/> or a <see cref="RecordingPath"/>. The calculation packets of a recording then go to this port, whichever way
+    /// they were received.
+    /// <para>
+    /// Over TCP the broadcaster listens on this port and <see cref="BindAddress"/> whenever <see cref="Port"/> is set. 0 takes any free port. Read it
+    /// from <see cref="Broadcaster.CalculationEndPoint"/>. Over UDP, calculation packets go to this port of every destination, from a separate
+    /// socket.
+    /// </para>
+    /// <para>A line of text does not name its avatar. With several avatars, only the order of the lines identifies the avatar.</para>
+    /// </remarks>
     public int? CalculationPort { get; set; }
 
-    /// <summary>
-    /// Whether motion packets are sent. False sends calculation packets alone, to <see cref="Port"/> and <see cref="UdpDestinations"/>, and needs
-    /// <see cref="Calculation"/> or <see cref="StudioCalculation"/>. Default: true.
-    /// </summary>
+    /// <summary>Whether motion packets are sent. Default: true.</summary>
+    /// <remarks>
+    /// False sends only calculation packets, to <see cref="Port"/> and <see cref="UdpDestinations"/>. It needs
+    /// <see cref="Calculation"/> or <see cref="StudioCalculation"/>.
+    /// </remarks>
     public bool SendMotion { get; set; } = true;
 
-    /// <summary>
-    /// Address to listen on, one of this machine. Default: loopback, so that nothing leaves the machine unless told to;
-    /// <see cref="IPAddress.Any"/> listens on all.
-    /// </summary>
+    /// <summary>Address to listen on, one of this computer's. <see cref="IPAddress.Any"/> listens on all addresses. Default: loopback.</summary>
+    /// <remarks>With the default, nothing leaves the computer.</remarks>
     public IPAddress BindAddress { get; set; } = IPAddress.Loopback;
 
-    /// <summary>Largest number of TCP clients at a time on each port, 1 to 4096; more are refused and counted. Default: 256.</summary>
+    /// <summary>Maximum number of simultaneous TCP clients on each port, 1 to 4096. Further clients are refused and counted. Default: 256.</summary>
     public int MaxClients { get; set; } = 256;
 
     /// <summary>
-    /// Where to send datagrams, each to every destination; broadcast and multicast addresses are allowed. Default: none.
+    /// Destinations of datagrams. Every datagram goes to each of them. Broadcast and multicast addresses are allowed. Default: none.
     /// </summary>
     public IReadOnlyList<IPEndPoint> UdpDestinations { get; set; } = [];
 
     /// <summary>
-    /// Frames per second, 0.01 to 100,000, or <see cref="MaxFrameRate"/>; null takes the first source's own. Default: null.
-    /// <para>
-    /// At a number, each frame is made once, at its time, and sent to all; a client that does not read loses whole packets and delays
-    /// nobody. At <see cref="MaxFrameRate"/> every client gets the whole take from frame 0 as fast as it reads, loses nothing (but see
-    /// <see cref="ClientTimeout"/>), and its connection is closed after the last frame; UDP, which cannot push back, is sent as fast as the
-    /// system takes it. A recording has its own times: <see cref="MaxFrameRate"/> or null.
-    /// </para>
+    /// Frames per second, 0.01 to 100,000, or <see cref="MaxFrameRate"/>. Null uses the rate of the first source. Default: null.
     /// </summary>
+    /// <remarks>
+    /// <para>
+    /// A number paces the broadcast. Each frame is made once, at its time, and sent to all recipients. A client that does not read loses whole
+    /// packets and delays no other recipient.
+    /// </para>
+    /// <para>
+    /// <see cref="MaxFrameRate"/> gives every client the whole take from frame 0, as fast as it reads. A client loses nothing (see
+    /// <see cref="ClientTimeout"/> for the exception), and its connection is closed after the last frame. UDP has no flow control, so datagrams are
+    /// sent as fast as the system takes them.
+    /// </para>
+    /// <para>A recording has its own times and accepts only <see cref="MaxFrameRate"/> or null.</para>
+    /// </remarks>
     public double? FrameRate { get; set; }
 
-    /// <summary>Frames of each avatar to send, at least 1; null sends all there are. Default: null.</summary>
+    /// <summary>Number of frames to send for each avatar, at least 1. Null sends all frames. Default: null.</summary>
     public long? MaxFrames { get; set; }
 
-    /// <summary>
-    /// Whether nothing is sent before the first TCP client is there, which then gets frame 0 first. With a <see cref="CalculationPort"/>: before each of the
-    /// two ports has had one. Needs <see cref="Port"/>. Default: false.
-    /// </summary>
+    /// <summary>Whether the broadcast waits for the first TCP client, which then gets frame 0 first. Default: false.</summary>
+    /// <remarks>
+    /// Needs <see cref="Port"/>. With a <see cref="CalculationPort"/>, the broadcast waits until each of the two ports has had a client.
+    /// </remarks>
     public bool WaitForClient { get; set; }
 
     /// <summary>
-    /// Axis Neuron's setting Displacement: whether every bone carries a position, not only the hips; null as the first source has it.
-    /// Default: null.
+    /// Whether every bone carries a position, not only the hips (Axis Neuron's setting Displacement). Null follows the first source. Default: null.
     /// </summary>
     public bool? IncludeDisplacement { get; set; }
 
-    /// <summary>Axis Neuron's setting Reference: whether six values of the Reference node come first. Default: false.</summary>
+    /// <summary>Whether six values of the reference come first (Axis Neuron's setting Reference). Default: false.</summary>
     public bool IncludeReference { get; set; }
 
-    /// <summary>Axis Neuron's setting Rotation: the order of the rotation values. Default: YXZ.</summary>
+    /// <summary>Rotation order of the angles (Axis Neuron's setting Rotation). Default: YXZ.</summary>
     public RotationOrder RotationOrder { get; set; } = RotationOrder.YXZ;
 
-    /// <summary>What is sent: packets of Axis Neuron or Axis Studio, or lines of text. Default: Axis Neuron's packets.</summary>
+    /// <summary>Format of the stream: packets of Axis Neuron or Axis Studio, or lines of text. Default: packets of Axis Neuron.</summary>
     public BroadcastFormat Format { get; set; }
 
-    /// <summary>
-    /// Version of the motion packets, 1.0 or 1.1, which decides the layout of their header: <see cref="DataVersion.Old"/> is what
-    /// Axis Studio's "Use old header format" sends, with the format <see cref="BroadcastFormat.Binary"/>. Null: what the format has, 1.1.0.0, or
-    /// 1.1.0.1 in <see cref="BroadcastFormat.Studio"/>, where it cannot be another; must be null for text, which carries none. Default: null.
-    /// </summary>
+    /// <summary>Version of the motion packets, 1.0 or 1.1, which determines the layout of their header. Default: null.</summary>
+    /// <remarks>
+    /// Null uses the version of the format: 1.1.0.0, or 1.1.0.1 in <see cref="BroadcastFormat.Studio"/>, which allows no other version. It must be
+    /// null for text, which carries no version. Axis Studio's setting "Use old header format" sends <see cref="DataVersion.Old"/> with
+    /// <see cref="BroadcastFormat.Binary"/>.
+    /// </remarks>
     public DataVersion? DataVersion { get; set; }
 
-    /// <summary>
-    /// Computes calculation packets, which then follow each motion packet on the same connections, or go to <see cref="CalculationPort"/>; null sends
-    /// none. Not for <see cref="BroadcastFormat.Studio"/>, which has packets of its own: <see cref="StudioCalculation"/>. Default: null.
-    /// </summary>
+    /// <summary>Computes the values of calculation packets. Null sends no calculation packets. Default: null.</summary>
+    /// <remarks>
+    /// A calculation packet follows each motion packet on the same connection, or goes to <see cref="CalculationPort"/>.
+    /// <see cref="BroadcastFormat.Studio"/> uses <see cref="StudioCalculation"/> instead.
+    /// </remarks>
     public CalculationProvider? Calculation { get; set; }
 
-    /// <summary>Values of a calculation packet: 946, or 338 for the body without fingers, as before b15. Default: 946.</summary>
+    /// <summary>Number of values in a calculation packet: 946, or 338 for the body without fingers, as before b15. Default: 946.</summary>
     public int CalculationValueCount { get; set; } = CalculationFrame.FullValueCount;
 
     /// <summary>
-    /// Computes the calculation packets of <see cref="BroadcastFormat.Studio"/>, as <see cref="StudioCalculationSynthesizer"/> does; null sends
-    /// none. For no other format. Default: null.
+    /// Computes the calculation packets of <see cref="BroadcastFormat.Studio"/>. Null sends none. Default: null.
     /// </summary>
+    /// <remarks>Use <see cref="StudioCalculationSynthesizer"/>, for example. Other formats use <see cref="Calculation"/> instead.</remarks>
     public StudioCalculationProvider? StudioCalculation { get; set; }
 
-    /// <summary>Digits after the point in text, 0 to 6. How many real servers send is not known. Default: 2.</summary>
+    /// <summary>Decimals of the numbers in text, 0 to 6. The number that real servers send is unknown. Default: 2.</summary>
     public int TextDecimals { get; set; } = TextEncoder.DefaultDecimals;
 
     /// <summary>
-    /// Whether TCP clients get answers to the commands of the old generation, which they send on the data connection (protocol.md section 7):
-    /// bone sizes, BVH text, number of avatars, frequency and combination mode, and the registration for changes of them. A server newer than b12
-    /// does not answer. Requests cost others nothing: of each client 1024 wait at most, more are dropped and counted. Default: true.
+    /// Whether TCP clients get answers to data commands, which they send on the data connection (protocol.md section 7). Default: true.
     /// </summary>
+    /// <remarks>
+    /// The commands ask for bone sizes, BVH text, the number of avatars, the frequency and the combination mode, and register for changes of them.
+    /// Servers newer than b12 do not answer. Requests do not affect other clients: at most 1024 requests of a client wait, and further requests are
+    /// dropped and counted.
+    /// </remarks>
     public bool AnswerDataCommands { get; set; } = true;
 
     /// <summary>
-    /// How many frames of all avatars a client may fall behind at a paced rate before it loses some, 1 to 65,536. Default: 256. The
-    /// memory is shared by all clients.
+    /// Number of frames, each of all avatars, that a client may fall behind at a paced rate before it loses some, 1 to 65,536. Default: 256.
     /// </summary>
+    /// <remarks>All clients share the memory.</remarks>
     public int QueueCapacity { get; set; } = 256;
 
     /// <summary>
-    /// How long a write to a TCP client may wait before the client is let go, and its connection reset: its computer lost power or
-    /// network, or it hangs, and keeps others from its place. The system buffers, and wakes the writer only when much of its buffer is
-    /// free: a client that takes a megabyte within this time, at any even pace, always stays; a slower one may be let go.
-    /// 1 second to 10 minutes, or <see cref="Timeout.InfiniteTimeSpan"/> to wait for
-    /// ever, as for a client that is being debugged. Default: 1 minute, which only a client below 17 kB/s can miss.
+    /// How long a write to a TCP client may wait before the client is disconnected: 1 second to 10 minutes, or infinite. Default: 1 minute.
     /// </summary>
+    /// <remarks>
+    /// The timeout frees the places of clients that hang or lost power or network. Their connections are reset. Use
+    /// <see cref="Timeout.InfiniteTimeSpan"/> for a client that is being debugged.
+    /// <para>
+    /// The system buffers data and wakes the writer only when much of its buffer is free. A client that steadily takes one megabyte within this time
+    /// always stays connected. A slower client may be disconnected. With the default, only clients below 17 kB/s can be affected.
+    /// </para>
+    /// </remarks>
     public TimeSpan ClientTimeout { get; set; } = TimeSpan.FromMinutes(1);
 
     /// <summary>
-    /// How long clients may take, after the last frame, to read what is queued for them and to close their side, 0 to 10 minutes.
-    /// Default: 5 seconds.
+    /// How long clients may take after the last frame to read their queued data and close their side, 0 to 10 minutes. Default: 5 seconds.
     /// </summary>
     public TimeSpan CloseTimeout { get; set; } = TimeSpan.FromSeconds(5);
 
-    // A copy that nobody else can change, with every setting in its range.
+    // Returns a copy that no other code can change, with every setting in its range.
     internal BroadcasterOptions CopyChecked()
     {
         var copy = (BroadcasterOptions)MemberwiseClone();

@@ -3,7 +3,7 @@ using NeuronMocap.Server.Faults;
 
 namespace NeuronMocap.Server;
 
-// The ranges that the options' documentation states, and messages that name the setting.
+// Checks the ranges that the documentation of the options states. The messages name the setting.
 internal static class BroadcasterOptionsCheck
 {
     private const int MaxAvatars = 256;
@@ -39,14 +39,14 @@ internal static class BroadcasterOptionsCheck
         Require(
             options.Sources.Count is >= 1 and <= MaxAvatars,
             nameof(options.Sources),
-            "takes 1 to 256 sources, one for each avatar",
+            "must hold 1 to 256 sources, one for each avatar",
             options.Sources.Count);
-        Require(options.Sources.All(source => source is not null), nameof(options.Sources), "takes sources that are not null", "null");
-        Require(options.AvatarNames.All(name => name is not null), nameof(options.AvatarNames), "takes names that are not null", "null");
+        Require(options.Sources.All(source => source is not null), nameof(options.Sources), "must not contain null", "null");
+        Require(options.AvatarNames.All(name => name is not null), nameof(options.AvatarNames), "must not contain null", "null");
         Require(
             options.AvatarNames.Count <= options.Sources.Count,
             nameof(options.AvatarNames),
-            "takes no more names than there are sources",
+            "must not hold more names than there are sources",
             options.AvatarNames.Count);
         CheckFormat(options);
         CheckRate(options);
@@ -55,7 +55,7 @@ internal static class BroadcasterOptionsCheck
         Require(!options.LoopRecording, nameof(options.LoopRecording), "needs a RecordingPath; use LoopedSource to loop a source", true);
     }
 
-    // What would change packets has no meaning for those of a recording.
+    // Settings that would change packets have no meaning for the packets of a recording.
     private static void CheckRecording(BroadcasterOptions options)
     {
         var ordinary = new BroadcasterOptions();
@@ -104,29 +104,29 @@ internal static class BroadcasterOptionsCheck
         Require(
             options.FrameRate is not null || own is >= 0.01 and <= 100_000,
             nameof(options.FrameRate),
-            "must be set when the first source's own is not 0.01 to 100,000 Hz",
+            "must be set when the rate of the first source is not 0.01 to 100,000 Hz",
             own);
     }
 
     private static void CheckNetwork(BroadcasterOptions options)
     {
         Require(options.Port is null or (>= 0 and <= 65_535), nameof(options.Port), "must be 0 to 65535", options.Port);
-        Require(options.BindAddress is not null, nameof(options.BindAddress), "must be an address of this machine", "null");
+        Require(options.BindAddress is not null, nameof(options.BindAddress), "must be an address of this computer", "null");
         Require(options.MaxClients is >= 1 and <= 4096, nameof(options.MaxClients), "must be 1 to 4096 clients", options.MaxClients);
         Require(
             options.UdpDestinations.All(destination => destination is not null),
             nameof(options.UdpDestinations),
-            "takes addresses that are not null",
+            "must not contain null",
             "null");
         Require(
             options.UdpDestinations.All(destination => destination.Port != 0),
             nameof(options.UdpDestinations),
-            "takes ports from 1 to 65535",
+            "must have ports from 1 to 65535",
             0);
         Require(
             options.Port is not null || options.UdpDestinations.Count > 0,
             nameof(options.Port),
-            "may be null only where UdpDestinations has an entry",
+            "may be null only if UdpDestinations has an entry",
             "null");
         Require(
             options.Port is not null || !options.WaitForClient,
@@ -141,8 +141,8 @@ internal static class BroadcasterOptionsCheck
         int? port = options.CalculationPort;
         bool hasCalculation = options.Calculation is not null || options.StudioCalculation is not null;
         Require(port is null or (>= 0 and <= 65_535), nameof(options.CalculationPort), "must be 0 to 65535", port);
-        Require(port is null || hasCalculation || options.RecordingPath is not null, nameof(options.CalculationPort), "needs Calculation, StudioCalculation or a Recording", port);
-        Require(port is null || options.SendMotion, nameof(options.CalculationPort), "must be null without SendMotion: calculation alone goes to Port and UdpDestinations", port);
+        Require(port is null || hasCalculation || options.RecordingPath is not null, nameof(options.CalculationPort), "needs Calculation, StudioCalculation or a RecordingPath", port);
+        Require(port is null || options.SendMotion, nameof(options.CalculationPort), "must be null without SendMotion: the calculation packets then go to Port and UdpDestinations", port);
         Require(port is null or 0 || port != options.Port, nameof(options.CalculationPort), "must differ from Port", port);
         Require(
             port != 0 || options.UdpDestinations.Count == 0,

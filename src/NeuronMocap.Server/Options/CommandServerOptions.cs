@@ -4,33 +4,36 @@ using NeuronMocap.Server.Faults;
 
 namespace NeuronMocap.Server;
 
-/// <summary>Where a <see cref="CommandServer"/> listens, and how it answers. The server copies them when it is made; changes after that have no effect.</summary>
+/// <summary>Settings of a <see cref="CommandServer"/>.</summary>
+/// <remarks>The server copies the settings when it is created. Later changes have no effect.</remarks>
 public sealed class CommandServerOptions
 {
-    /// <summary>
-    /// TCP port to listen on, 0 to 65535; 0 takes any free one, which <see cref="CommandServer.LocalEndPoint"/> tells. Default: 8013.
-    /// </summary>
+    /// <summary>TCP port to listen on, 0 to 65535. Default: 8013.</summary>
+    /// <remarks>0 takes any free port. Read it from <see cref="CommandServer.LocalEndPoint"/>.</remarks>
     public int Port { get; set; } = ProtocolConstants.DefaultCommandPort;
 
-    /// <summary>
-    /// Address to listen on, one of this machine. Default: loopback, because whoever can connect can turn the actors;
-    /// <see cref="IPAddress.Any"/> listens on all.
-    /// </summary>
+    /// <summary>Address to listen on, one of this computer's. <see cref="IPAddress.Any"/> listens on all addresses. Default: loopback.</summary>
+    /// <remarks>The default is loopback because every client that connects can zero out the avatars.</remarks>
     public IPAddress BindAddress { get; set; } = IPAddress.Loopback;
 
-    /// <summary>
-    /// Largest number of clients at a time, 1 to 1024. One more takes the place of the client that has asked nothing for the longest time; those that never
-    /// asked go first. A client keeps its place for 2 seconds after it connected and after each answer: where all have, the new one is closed. Default: 32.
-    /// </summary>
+    /// <summary>Maximum number of simultaneous clients, 1 to 1024. Default: 32.</summary>
+    /// <remarks>
+    /// When the server is full, a new client replaces the client that has sent no request for the longest time. Clients that never sent a request are
+    /// replaced first. A client cannot be replaced for 2 seconds after it connected and after each answer. If no client can be replaced, the new
+    /// connection is closed.
+    /// </remarks>
     public int MaxClients { get; set; } = 32;
 
     /// <summary>
-    /// How long a client may stay without asking anything before its connection is closed: 1 second to 1 day, or <see cref="Timeout.InfiniteTimeSpan"/>
-    /// for ever. Bytes that are no whole request do not count. Default: 1 hour, because clients connect when they start and may ask once in a session.
+    /// How long a client may stay connected without sending a request: 1 second to 1 day, or <see cref="Timeout.InfiniteTimeSpan"/>. Default: 1 hour.
     /// </summary>
+    /// <remarks>
+    /// Bytes that are not a whole request do not count. The default is long because clients connect when they start and may send one request in a
+    /// session.
+    /// </remarks>
     public TimeSpan IdleTimeout { get; set; } = TimeSpan.FromHours(1);
 
-    // What the server does otherwise than it should, to test clients. Default: nothing.
+    // Deviations from the protocol, to test clients. Default: none.
     internal CommandReplyQuirks Quirks { get; set; } = new();
 
     internal CommandServerOptions CopyChecked()

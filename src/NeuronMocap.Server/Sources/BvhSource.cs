@@ -5,11 +5,11 @@ using NeuronMocap.Skeleton;
 
 namespace NeuronMocap.Server;
 
-/// <summary>
-/// A take from a BVH file of Neuron's 59 bones, one row for each frame. Values are broadcast as they stand in the file, bit for bit, where the
-/// broadcast has the file's rotation order; positions that the file has no channels for are its OFFSETs. A broadcast without the Reference node
-/// that a file has gets the hips relative to the world.
-/// </summary>
+/// <summary>A source that plays a take from a BVH file with Neuron's 59 bones, one row for each frame.</summary>
+/// <remarks>
+/// If the broadcast has the rotation order of the file, the values of the file are sent bit for bit. Positions without channels in the file are its
+/// OFFSETs. If the file has a reference and the broadcast has none, the hips are relative to the world.
+/// </remarks>
 public sealed class BvhSource : MotionSource
 {
     private const int ReferenceValues = 6;
@@ -17,16 +17,18 @@ public sealed class BvhSource : MotionSource
     private readonly BvhSkeletonMap _map;
     private readonly Lazy<FootContacts[]> _contacts;
 
-    /// <summary>Makes a source of a file.</summary>
+    /// <summary>Creates a source from a file.</summary>
     /// <param name="document">The file.</param>
-    /// <exception cref="NeuronException">The file's skeleton is not Neuron's, or it has no frames; the message says what is different.</exception>
+    /// <exception cref="NeuronException">
+    /// The file has no frames, or its skeleton is not that of Neuron; the message then says what is different.
+    /// </exception>
     public BvhSource(BvhDocument document)
     {
         ArgumentNullException.ThrowIfNull(document);
         if (!BvhSkeletonMap.TryCreate(document, out BvhSkeletonMap? map, out string? reason))
             throw new NeuronException($"This is not a take of the 59 bones that Axis Neuron records. {reason}");
         if (document.FrameCount == 0)
-            throw new NeuronException("The file holds a skeleton and no frames.");
+            throw new NeuronException("The file holds a skeleton but no frames.");
 
         _map = map;
         _contacts = new Lazy<FootContacts[]>(EstimateContacts);
@@ -44,7 +46,7 @@ public sealed class BvhSource : MotionSource
     /// <inheritdoc/>
     public override SkeletonVariant Variant => _map.Format.Variant;
 
-    /// <summary>Order of the file's rotation values.</summary>
+    /// <summary>Rotation order of the file.</summary>
     public RotationOrder RotationOrder => _map.Format.RotationOrder;
 
     /// <inheritdoc/>
@@ -56,14 +58,17 @@ public sealed class BvhSource : MotionSource
             pose[0] = _map.GetReference(row).Apply(pose[0]);
     }
 
-    /// <summary>Which feet are on the ground, estimated from their height and speed: a file does not say. The first call reads the whole take.</summary>
+    /// <summary>
+    /// Gets which feet touch the ground. BVH files hold no contacts, so they are estimated from the height and speed of the feet.
+    /// </summary>
+    /// <remarks>The first call reads the whole take.</remarks>
     /// <param name="frame">Frame number, from 0, below <see cref="FrameCount"/>.</param>
-    /// <returns>True for each foot that touches.</returns>
+    /// <returns>True for each foot that touches the ground.</returns>
     public override FootContacts GetFootContacts(long frame) => _contacts.Value[checked((int)frame)];
 
-    /// <summary>Writes the file's OFFSETs and End Sites.</summary>
-    /// <param name="offsets">Room for the places of the 59 bones relative to their parents, in <see cref="Bone"/> order; centimetres.</param>
-    /// <param name="endSites">Room for 59 places where the bones end, relative to them; zero for bones that have none in the file.</param>
+    /// <summary>Writes the OFFSETs and End Sites of the file.</summary>
+    /// <param name="offsets">Room for 59 bone positions relative to the parent bone, in <see cref="Bone"/> order; centimetres.</param>
+    /// <param name="endSites">Room for 59 end points of bones, relative to the bone. Zero for bones without an End Site in the file.</param>
     public override void GetBody(Span<Vector3> offsets, Span<Vector3> endSites)
     {
         SkeletonBody body = _map.GetBody();

@@ -4,19 +4,20 @@ using NeuronMocap.Skeleton;
 
 namespace NeuronMocap.Server;
 
-/// <summary>
-/// Writes a performance as Axis Neuron exports calculation data: what <see cref="CalculationSynthesizer"/> computes, in metres, with z into the
-/// ground and the origin as high as the hips of the standing body, and with four decimals. Rotations are those of bones, as of sensors that sit straight.
-/// </summary>
+/// <summary>Writes a source as a calculation export of Axis Neuron.</summary>
+/// <remarks>
+/// The values are those of <see cref="CalculationSynthesizer"/>, with four decimals. Positions are in metres. Z points into the ground, and the
+/// origin is at the height of the hips of the standing body. Sensor rotations are those of the bones, as if all sensors sat straight.
+/// </remarks>
 public static class CalculationExport
 {
     private const double Scale = 10_000;
 
-    /// <summary>Writes a performance.</summary>
-    /// <param name="source">What to write; it has an end.</param>
-    /// <param name="writer">Where to; not disposed.</param>
-    /// <param name="progress">Is told the number of frames written, every 256 and at the end; null for nobody.</param>
-    /// <param name="cancellationToken">Ends the work between two frames.</param>
+    /// <summary>Writes a source.</summary>
+    /// <param name="source">The source to write. It must have an end.</param>
+    /// <param name="writer">The writer to write to. It is not disposed.</param>
+    /// <param name="progress">Receives the number of written frames, every 256 frames and at the end; may be null.</param>
+    /// <param name="cancellationToken">Cancels the work between two frames.</param>
     /// <exception cref="ArgumentException">The source never ends.</exception>
     /// <exception cref="OperationCanceledException">The work was cancelled.</exception>
     /// <exception cref="IOException">The file cannot be written.</exception>
@@ -26,7 +27,7 @@ public static class CalculationExport
         ArgumentNullException.ThrowIfNull(source);
         ArgumentNullException.ThrowIfNull(writer);
         if (source.FrameCount is not { } count)
-            throw new ArgumentException("A performance without an end makes no file.", nameof(source));
+            throw new ArgumentException("The source must have an end.", nameof(source));
 
         float ground = GetHipsHeight(source) / CalculationAxes.CentimetresPerMetre;
         Span<float> values = stackalloc float[writer.ValueCount];
@@ -50,7 +51,7 @@ public static class CalculationExport
         return offsets[(int)Bone.Hips].Y;
     }
 
-    // z of every position, downwards from the hips' height; and all values as near as four decimals come.
+    // Converts z of every position to downwards from the height of the hips, and rounds all values to four decimals.
     private static void Lower(Span<float> values, float height)
     {
         const int ValuesPerBone = 16;

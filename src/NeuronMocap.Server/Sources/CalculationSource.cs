@@ -4,18 +4,19 @@ using NeuronMocap.Skeleton;
 
 namespace NeuronMocap.Server;
 
-/// <summary>
-/// A take from a calculation export. Its poses are what <see cref="CalculationSkeleton"/> makes of bones' centres and sensors; foot contacts are the
-/// file's own, and so are the values of calculation packets, bit for bit, with <see cref="WriteCalculation"/>.
-/// </summary>
+/// <summary>A source that plays a take from a calculation export.</summary>
+/// <remarks>
+/// <see cref="CalculationSkeleton"/> computes the poses from the centres of the bones and the sensors. Foot contacts are those of the file.
+/// <see cref="WriteCalculation"/> writes the calculation values of the file bit for bit.
+/// </remarks>
 public sealed class CalculationSource : MotionSource
 {
     private readonly CalculationDocument _document;
 
-    /// <summary>Makes a source of a file.</summary>
+    /// <summary>Creates a source from a file.</summary>
     /// <param name="document">The file.</param>
-    /// <param name="axes">The file's axes; null is the same as <see cref="CalculationAxes.Export"/>.</param>
-    /// <exception cref="CalculationFormatException">The file has the ends of the bones instead of their centres.</exception>
+    /// <param name="axes">The axes of the file; null for <see cref="CalculationAxes.Export"/>.</param>
+    /// <exception cref="CalculationFormatException">The file holds the ends of the bones instead of their centres.</exception>
     public CalculationSource(CalculationDocument document, CalculationAxes? axes = null)
     {
         ArgumentNullException.ThrowIfNull(document);
@@ -23,7 +24,7 @@ public sealed class CalculationSource : MotionSource
         Skeleton = CalculationSkeleton.Measure(document, axes);
     }
 
-    /// <summary>The skeleton that was found behind the take.</summary>
+    /// <summary>The skeleton that was computed from the take.</summary>
     public CalculationSkeleton Skeleton { get; }
 
     /// <inheritdoc/>
@@ -32,22 +33,22 @@ public sealed class CalculationSource : MotionSource
     /// <inheritdoc/>
     public override long? FrameCount => _document.FrameCount;
 
-    /// <summary>Always true: feet that the server held to the ground are where they were recorded.</summary>
+    /// <summary>Always true. Feet that the server held to the ground are where they were recorded.</summary>
     public override bool HasDisplacement => true;
 
     /// <inheritdoc/>
     public override SkeletonVariant Variant => Skeleton.Body.Variant;
 
-    /// <summary>Values of the file's rows, 946 or 338: for <see cref="BroadcasterOptions.CalculationValueCount"/>.</summary>
+    /// <summary>Number of values in a row of the file, 946 or 338. Use it for <see cref="BroadcasterOptions.CalculationValueCount"/>.</summary>
     public int ValueCount => _document.ValueCount;
 
     /// <inheritdoc/>
     public override void GetPose(long frame, Span<BoneTransform> pose) =>
         Skeleton.CopyLocalTransforms(_document.GetValues(checked((int)frame)), pose);
 
-    /// <summary>Which feet are on the ground, as the file has it.</summary>
+    /// <summary>Gets which feet touch the ground, as recorded in the file.</summary>
     /// <param name="frame">Frame number, from 0, below <see cref="FrameCount"/>.</param>
-    /// <returns>True for each foot that touches.</returns>
+    /// <returns>True for each foot that touches the ground.</returns>
     public override FootContacts GetFootContacts(long frame) => _document.GetFootContacts(checked((int)frame));
 
     /// <inheritdoc/>
@@ -57,13 +58,13 @@ public sealed class CalculationSource : MotionSource
         Skeleton.Body.EndSites.CopyTo(endSites);
     }
 
-    /// <summary>
-    /// Writes the file's own values of a frame, for <see cref="BroadcasterOptions.Calculation"/>. A turn of <see cref="Broadcaster.ZeroOut"/> is not in
-    /// them; where the take is repeated, frame numbers go on.
-    /// </summary>
-    /// <param name="source">The avatar's performance; not looked at.</param>
+    /// <summary>Writes the values of a frame as they are in the file, for <see cref="BroadcasterOptions.Calculation"/>.</summary>
+    /// <remarks>
+    /// The values do not include turns of <see cref="Broadcaster.ZeroOut"/>. When the take is repeated, the frame numbers continue.
+    /// </remarks>
+    /// <param name="source">The source of the avatar, which is not used.</param>
     /// <param name="frame">Frame number, from 0.</param>
-    /// <param name="values">Room for 946 values, all of which are written: of a file without fingers theirs are zero.</param>
+    /// <param name="values">Room for 946 values. All are written; if the file has no fingers, their values are zero.</param>
     public void WriteCalculation(MotionSource source, long frame, Span<float> values)
     {
         values.Clear();

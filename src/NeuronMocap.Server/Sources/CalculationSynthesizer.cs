@@ -4,25 +4,29 @@ using NeuronMocap.Skeleton;
 namespace NeuronMocap.Server;
 
 /// <summary>
-/// Computes the values of a calculation packet (manual section 1.2.2, protocol.md section 3.3) from a performance: what the sensors would
-/// have measured. A pure function of the frame number; allocates nothing; any number of threads may call at once.
-/// <para>
-/// The world's axes are those of the BVH stream: right-handed, Y up, X to the subject's left at rest, Z forward. A real server's axes are a
-/// setting; files that Axis Neuron exports have Z pointing down. Positions are metres, at the middle between a bone's joint and the next
-/// joint of its chain, or its End Site, for which the default body's is taken; the middle finger continues a hand. The position of the
-/// hips is their joint, as in recordings. Velocities are metres per second. The quaternion is the bone's rotation in the world, as of a
-/// sensor whose axes are the bone's.
-/// </para>
-/// <para>
-/// Acceleration and angular velocity are in the bone's axes. The manual does not give their units; these follow recordings. The
-/// acceleration is gravity minus that of the bone's centre, in multiples of 9.80665 m/s²: 1 downwards at rest, which is what an
-/// accelerometer measures with its sign changed. The angular velocity is in radians per second.
-/// </para>
-/// <para>
-/// All come from a frame and its two neighbours. Where one of them does not exist, velocity and angular velocity are one-sided differences
-/// and the acceleration is the neighbour's; a performance of one frame is at rest, one of two is not accelerated.
-/// </para>
+/// Computes the values of a calculation packet from a source, as sensors would have measured them (manual section 1.2.2, protocol.md section 3.3).
 /// </summary>
+/// <remarks>
+/// The result is a pure function of the frame number. Allocates nothing. Thread-safe.
+/// <para>
+/// The world's axes are those of the BVH stream: right-handed, Y up, X to the subject's left at rest, Z forward. On a real server the axes are a
+/// setting. In files that Axis Neuron exports, Z points down.
+/// </para>
+/// <para>
+/// Positions are in metres. The position of a bone is the middle between its joint and the next joint of its chain, or its End Site. End Sites are
+/// those of the default body. The next joint after a hand is that of the middle finger. The position of the hips is their joint, as in recordings.
+/// Velocities are in metres per second. The quaternion is the rotation of the bone in the world, as from a sensor aligned with the bone.
+/// </para>
+/// <para>
+/// Acceleration and angular velocity are in the axes of the bone. The manual does not give their units; the units here follow recordings. The
+/// acceleration is gravity minus the acceleration of the bone's centre, in multiples of 9.80665 m/s². At rest it is 1 downwards: the
+/// measurement of an accelerometer with its sign changed. The angular velocity is in radians per second.
+/// </para>
+/// <para>
+/// Derivatives come from a frame and its two neighbours. If a neighbour does not exist, velocity and angular velocity are one-sided differences, and
+/// the acceleration is that of the existing neighbour. A source with one frame is at rest. A source with two frames has no acceleration.
+/// </para>
+/// </remarks>
 public static class CalculationSynthesizer
 {
     private const int Window = 3;
@@ -33,22 +37,22 @@ public static class CalculationSynthesizer
     private const float StandardGravity = 9.80665f;
 
     /// <summary>Writes the values of one frame.</summary>
-    /// <param name="source">The performance.</param>
+    /// <param name="source">The source.</param>
     /// <param name="frame">Frame number, from 0, below the source's <see cref="MotionSource.FrameCount"/>.</param>
     /// <param name="values">
-    /// Exactly 946 values for 59 bones (<see cref="CalculationFrame.FullValueCount"/>) or 338 for 21
-    /// (<see cref="CalculationFrame.BodyValueCount"/>); all of them are written.
+    /// Exactly 946 values for 59 bones (<see cref="CalculationFrame.FullValueCount"/>) or 338 for 21 (<see cref="CalculationFrame.BodyValueCount"/>).
+    /// All of them are written.
     /// </param>
-    /// <exception cref="ArgumentException">There is room for another number of values.</exception>
+    /// <exception cref="ArgumentException">The span has another number of values.</exception>
     /// <exception cref="ArgumentOutOfRangeException">The source has no such frame.</exception>
     public static void Write(MotionSource source, long frame, Span<float> values)
     {
         if (values.Length is not (CalculationFrame.FullValueCount or CalculationFrame.BodyValueCount))
-            throw new ArgumentException("A calculation packet carries 946 values or 338.", nameof(values));
+            throw new ArgumentException("The span must hold 946 or 338 values.", nameof(values));
 
         long last = (source.FrameCount ?? long.MaxValue) - 1;
         if (frame < 0 || frame > last)
-            throw new ArgumentOutOfRangeException(nameof(frame), frame, "The performance has no such frame.");
+            throw new ArgumentOutOfRangeException(nameof(frame), frame, "The source has no such frame.");
 
         long first = Math.Max(0, Math.Min(frame - 1, last - (Window - 1)));
         int count = (int)Math.Min(Window, last - first + 1);
@@ -89,13 +93,13 @@ public static class CalculationSynthesizer
         contacts[1] = right ? 1 : 0;
     }
 
-    // Centres in metres and rotations, in the world.
+    // Writes centres in metres and rotations, in the world.
     private static void Sample(MotionSource source, long frame, Span<BoneTransform> bones)
     {
         source.GetPose(frame, bones);
         ForwardKinematics.ToWorld(bones, bones, source.Variant);
 
-        // A bone's place is replaced by its centre when nobody asks for it any more: parents come before their children.
+        // A bone's position is replaced by its centre only when no other bone needs it any more. Parents come before their children.
         foreach (Bone bone in BoneHierarchy.Bones)
         {
             BoneTransform world = bones[(int)bone];
@@ -120,7 +124,7 @@ public static class CalculationSynthesizer
     private static Vector3 Sense(Vector3 acceleration, Quaternion rotation) =>
         Vector3.Transform(-Vector3.UnitY - (acceleration / StandardGravity), Quaternion.Conjugate(rotation));
 
-    // The shorter turn that leads from one rotation to another: its axis in the turning body's own axes, its length in radians.
+    // Returns the shorter turn from one rotation to another. The axis is in the body's own axes; the length is in radians.
     private static Vector3 RotationVector(Quaternion from, Quaternion to)
     {
         Quaternion turn = Quaternion.Conjugate(from) * to;

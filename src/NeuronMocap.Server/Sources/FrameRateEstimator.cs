@@ -2,13 +2,14 @@ using NeuronMocap.Bvh;
 
 namespace NeuronMocap.Server;
 
-/// <summary>
-/// The rate behind the times of frames. Times of arrival jitter, and then the usual rate near the measured one is meant. Times that a program made of a
-/// rate, as of a file, stand on an even grid to the last tick, and then their rate is kept as it is. Allocates nothing. Not thread-safe.
-/// </summary>
+/// <summary>Estimates a frame rate from the times of frames.</summary>
+/// <remarks>
+/// Arrival times jitter. The result is then the usual rate near the measured one. Times that a program computed from a rate, for example for a file,
+/// lie on an even grid to the last tick. The result is then the rate of the grid. Allocates nothing. Not thread-safe.
+/// </remarks>
 public sealed class FrameRateEstimator
 {
-    // Two frames stand on every grid.
+    // Two frames lie on every grid.
     private const int MinOnGrid = 3;
     private const int MaxDecimals = 6;
     private const decimal TicksPerSecond = TimeSpan.TicksPerSecond;
@@ -20,22 +21,25 @@ public sealed class FrameRateEstimator
     private int _count;
     private bool _isBroken;
 
-    // Ticks of a frame that all times so far allow; each of them is rounded to a tick.
+    // The range of frame durations in ticks that fits all times so far. Each time is rounded to a tick.
     private decimal _shortest;
     private decimal _longest = decimal.MaxValue;
 
-    /// <summary>Frames per second by the times, missing frames counted; null where they do not tell.</summary>
+    /// <summary>Measured frames per second, with missing frames counted. Null if the times do not give a rate.</summary>
     public double? MeasuredFrameRate => _time > TimeSpan.Zero ? _frames / _time.TotalSeconds : null;
 
-    /// <summary>Whether every frame stands where an even rate puts it, to a tick; three frames at least.</summary>
+    /// <summary>Whether at least three frames were added and all of them lie on an even grid, to a tick.</summary>
     public bool IsUniform => !_isBroken && _count >= MinOnGrid && _shortest > 0 && _shortest <= _longest;
 
-    /// <summary>The rate that is meant: of an even grid its own; else a usual one within one per cent of the measured one, or that one. Null where nothing tells.</summary>
+    /// <summary>The estimated rate. Null if the times do not give a rate.</summary>
+    /// <value>
+    /// On an even grid, the rate of the grid. Otherwise a usual rate within one per cent of the measured one, or else the measured rate.
+    /// </value>
     public double? FrameRate => IsUniform ? FindEvenRate() : MeasuredFrameRate is { } measured ? RecordingSource.ChooseFrameRate(measured) : null;
 
-    /// <summary>Takes a frame.</summary>
-    /// <param name="frame">Its number, missing ones counted; higher than that of the one before.</param>
-    /// <param name="time">When it came.</param>
+    /// <summary>Adds a frame.</summary>
+    /// <param name="frame">Number of the frame, with missing frames counted. It must be higher than that of the previous frame.</param>
+    /// <param name="time">Arrival time of the frame.</param>
     public void Add(long frame, TimeSpan time)
     {
         if (_count++ == 0)
@@ -59,9 +63,9 @@ public sealed class FrameRateEstimator
         _longest = Math.Min(_longest, (ticks + 1) / (decimal)frames);
     }
 
-    /// <summary>Takes a frame whose distance from the one before is not known, as behind a new connection.</summary>
-    /// <param name="frame">Any number that later ones go on from.</param>
-    /// <param name="time">When it came.</param>
+    /// <summary>Adds a frame whose distance from the previous frame is unknown, for example after a new connection.</summary>
+    /// <param name="frame">Any number. Later frames continue from it.</param>
+    /// <param name="time">Arrival time of the frame.</param>
     public void Restart(long frame, TimeSpan time)
     {
         _isBroken |= _count > 0;

@@ -3,22 +3,22 @@ using NeuronMocap.Skeleton;
 
 namespace NeuronMocap.Server;
 
-/// <summary>
-/// A finite performance that starts again when it is over, and so never ends. Between the last frame and the first the body jumps, unless
-/// the performance ends as it begins. As safe to call from several threads as the performance itself.
-/// </summary>
+/// <summary>A source that repeats a finite source forever.</summary>
+/// <remarks>
+/// Unless the source ends as it begins, the body jumps between the last frame and the first. Thread safety is that of the repeated source.
+/// </remarks>
 public sealed class LoopedSource : MotionSource
 {
     private readonly MotionSource _source;
     private readonly long _count;
 
-    /// <summary>Makes a source of another one.</summary>
-    /// <param name="source">What to repeat; at least one frame, and not endless.</param>
+    /// <summary>Creates a source that repeats another source.</summary>
+    /// <param name="source">The source to repeat. It must have at least one frame and an end.</param>
     /// <exception cref="ArgumentException">The source has no frames or no end.</exception>
     public LoopedSource(MotionSource source)
     {
         if (source.FrameCount is not > 0)
-            throw new ArgumentException("Only a performance that has frames and an end can be repeated.", nameof(source));
+            throw new ArgumentException("The source must have at least one frame and an end.", nameof(source));
 
         _source = source;
         _count = source.FrameCount.Value;
@@ -27,7 +27,7 @@ public sealed class LoopedSource : MotionSource
     /// <inheritdoc/>
     public override double FrameRate => _source.FrameRate;
 
-    /// <summary>Always null: it never ends.</summary>
+    /// <summary>Always null, because the source never ends.</summary>
     public override long? FrameCount => null;
 
     /// <inheritdoc/>

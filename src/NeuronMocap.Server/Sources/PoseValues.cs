@@ -3,7 +3,7 @@ using NeuronMocap.Skeleton;
 
 namespace NeuronMocap.Server.Sources;
 
-// The values of a motion packet and the transforms that they stand for.
+// Converts between the values of a motion packet and transforms.
 internal static class PoseValues
 {
     private const int ReferenceRotation = 3;
@@ -23,7 +23,7 @@ internal static class PoseValues
         Write(values[ReferenceRotation..], EulerAngles.FromQuaternion(reference.Rotation, order));
     }
 
-    // A position that the values lack is that of the offsets.
+    // If the values have no position, the offsets give it.
     public static BoneTransform Read(ReadOnlySpan<float> values, ChannelLayout layout, RotationOrder order, Bone bone, ReadOnlySpan<Vector3> offsets)
     {
         int position = layout.GetPositionIndex(bone);

@@ -5,10 +5,10 @@ using NeuronMocap.Skeleton;
 
 namespace NeuronMocap.Server.Sources;
 
-// The body that a recording's metadata tell.
+// The body that the metadata of a recording describe.
 internal static class RecordedBody
 {
-    // Null for the raw bytes of a stream, which have none.
+    // Returns null for the raw bytes of a stream, which have no metadata.
     public static RecordingMetadata? ReadMetadata(string path)
     {
         Span<byte> start = stackalloc byte[8];
@@ -22,7 +22,8 @@ internal static class RecordedBody
         return reader.Metadata;
     }
 
-    // Null where the metadata do not tell. A stream with displacement has the lengths itself, more exactly than the twelve sizes.
+    // Returns null if the metadata do not describe the body. A stream with displacement holds the lengths itself, more precisely than the twelve
+    // sizes.
     public static SkeletonBody? Find(RecordingMetadata? metadata, int avatarIndex, SkeletonVariant variant, bool hasDisplacement)
     {
         if (avatarIndex != 0 || metadata is null)

@@ -2,10 +2,10 @@ using NeuronMocap.Skeleton;
 
 namespace NeuronMocap.Server.Sources;
 
-/// <summary>Gathers the frames of one avatar, in the order in which the server counted them.</summary>
+/// <summary>Collects the frames of one avatar in the order in which the server numbered them.</summary>
 internal sealed class RecordedTakeBuilder
 {
-    // As a reader does: a larger step back is a server that counts anew.
+    // The same limit as in a reader. After a larger step back, the server has restarted its numbers.
     private const int LargestDisorder = 63;
 
     private readonly SortedDictionary<int, string> _others = [];
@@ -24,7 +24,7 @@ internal sealed class RecordedTakeBuilder
 
     public SkeletonFormat Format { get; private set; }
 
-    /// <summary>Avatars with poses that were not asked for.</summary>
+    /// <summary>Other avatars with poses in the recording.</summary>
     public IReadOnlyDictionary<int, string> Others => _others;
 
     public bool HasContacts { get; private set; }
@@ -68,7 +68,7 @@ internal sealed class RecordedTakeBuilder
         Rows.Insert(place, row);
     }
 
-    // Of the same frame of the server, whichever of the two packets comes first.
+    // The contacts belong to the motion packet with the same frame index. Either packet may come first.
     private void AddContacts(CalculationFrame frame)
     {
         HasContacts = true;
@@ -77,7 +77,7 @@ internal sealed class RecordedTakeBuilder
             Rows[^1].Contacts = _contacts;
     }
 
-    // Datagrams overtake each other; -1 for one that came twice.
+    // Datagrams can overtake each other. Returns -1 for a frame that arrived twice.
     private int FindPlace(uint? index, int connection)
     {
         int place = Rows.Count;
@@ -95,7 +95,7 @@ internal sealed class RecordedTakeBuilder
         return place;
     }
 
-    // The server was set differently in the middle of the recording.
+    // The settings of the server changed in the middle of the recording.
     private float[] Rewrite(MotionFrame frame)
     {
         float[] values = new float[Layout.ValueCount];

@@ -1,6 +1,6 @@
 namespace NeuronMocap.Server.Sources;
 
-// A frame of a recorded take: the values as they were received, or interpolated between neighbours.
+// A frame of a recorded take. Its values are as received, or interpolated between neighbours.
 internal sealed class RecordedTakeRow(float[] values, uint? index, TimeSpan time, int connection)
 {
     public float[] Values => values;

@@ -5,14 +5,15 @@ using NeuronMocap.Skeleton;
 
 namespace NeuronMocap.Server.Sources;
 
-/// <summary>
-/// Puts received frames into even time: the server's index says how many are missing between two of them, and those are interpolated where the
-/// gap is short. Arrival times, which jitter, only say how long a frame takes on the whole.
-/// </summary>
+/// <summary>Arranges received frames at even times.</summary>
+/// <remarks>
+/// The frame index of the server gives the number of missing frames. Short gaps are interpolated. Arrival times jitter, so they only determine the
+/// average duration of a frame.
+/// </remarks>
 internal sealed class RecordedTimeline
 {
     private const double LongestFilledGap = 1; // s
-    // No suit is faster: an index that jumps without time having passed tells of no missing frames, however many it skips.
+    // No suit is faster. If the index jumps but no time has passed, no frames are missing, whatever the index says.
     private const double HighestRate = 1000; // Hz
     private const double RateTolerance = 0.01;
     private const double DefaultRate = 120; // Hz: that of a suit with fewer than 18 sensors (manual section 1.3)
@@ -24,7 +25,7 @@ internal sealed class RecordedTimeline
     private readonly RotationOrder _order;
     private readonly int _reduction;
 
-    // The times of raw bytes are made up, of a rate that is given: they would tell another one where frames are lost.
+    // Raw bytes have no real times. Their times come from a given rate and would give a wrong rate where frames were lost.
     public RecordedTimeline(IReadOnlyList<RecordedTakeRow> received, ChannelLayout layout, RotationOrder order, double? evenRate)
     {
         _layout = layout;
@@ -45,10 +46,10 @@ internal sealed class RecordedTimeline
 
     public double FrameRate { get; }
 
-    /// <summary>From the arrival times; null where there are none to tell.</summary>
+    /// <summary>Frame rate according to the arrival times. Null if there are no usable arrival times.</summary>
     public double? MeasuredFrameRate { get; }
 
-    // Frames from one to the next, 1 for neighbours; null when the index does not tell.
+    // Number of frames from one to the next, 1 for neighbours. Null if the index does not give it.
     private long? StepBetween(RecordedTakeRow before, RecordedTakeRow row)
     {
         if (before.Index is not { } first || row.Index is not { } second)
@@ -105,7 +106,7 @@ internal sealed class RecordedTimeline
         return values;
     }
 
-    // The Reference node comes last.
+    // The values of the reference come last.
     private BoneTransform[] Read(float[] values)
     {
         BoneTransform[] pose = new BoneTransform[BoneHierarchy.BoneCount + 1];
@@ -117,7 +118,7 @@ internal sealed class RecordedTimeline
         return pose;
     }
 
-    // The step of the index that is by far the most common: a server may send every second or third frame only.
+    // The most common step of the index. A server may send only every second or third frame.
     private static int FindReduction(IReadOnlyList<RecordedTakeRow> rows)
     {
         int[] counts = new int[LargestReduction + 1];
@@ -131,7 +132,7 @@ internal sealed class RecordedTimeline
         return most == 0 ? 1 : Array.IndexOf(counts, most);
     }
 
-    // Over all stretches in which the index tells how many frames passed.
+    // Measures over all stretches for which the index gives the number of frames.
     private FrameRateEstimator Measure(IReadOnlyList<RecordedTakeRow> rows)
     {
         var estimate = new FrameRateEstimator();

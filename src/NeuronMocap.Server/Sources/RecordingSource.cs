@@ -6,15 +6,18 @@ using NeuronMocap.Skeleton;
 
 namespace NeuronMocap.Server;
 
-/// <summary>
-/// One avatar of a recording, or of the raw bytes of a stream. The frames that were received keep their values, bit for bit, one after the other at an
-/// even rate; arrival times, which jitter, only tell the rate. Frames that the server's index says are missing are interpolated, so that the take
-/// keeps its time; behind a gap of more than a second, or one of unknown length such as a new connection, it goes on at once.
+/// <summary>A source that plays one avatar of a recording, or of the raw bytes of a stream.</summary>
+/// <remarks>
+/// Received frames keep their values bit for bit and follow each other at an even rate. Arrival times jitter, so they only determine the rate.
 /// <para>
-/// All frames are in memory: 0.7 or 1.4 KB for each. Contacts of the feet are those of calculation frames of the same avatar, where the recording
-/// has such; else they are estimated from the motion.
+/// Frames that are missing according to the server's frame index are interpolated, so that the take keeps its duration. After a gap of more than a
+/// second the take continues at once. The same applies to a gap of unknown length, such as a new connection.
 /// </para>
-/// </summary>
+/// <para>
+/// All frames are in memory, with 0.7 or 1.4 KB each. Foot contacts are those of calculation frames of the same avatar, if the recording has
+/// them. Otherwise they are estimated from the motion.
+/// </para>
+/// </remarks>
 public sealed class RecordingSource : MotionSource
 {
     private readonly RecordedTimeline _timeline;
@@ -34,27 +37,33 @@ public sealed class RecordingSource : MotionSource
         HasMeasuredContacts = builder.HasContacts;
     }
 
-    /// <summary>Number of the avatar on the server.</summary>
+    /// <summary>Index of the avatar on the server.</summary>
     public int AvatarIndex { get; }
 
-    /// <summary>Name of the avatar, of its first frame.</summary>
+    /// <summary>Name of the avatar in its first frame.</summary>
     public string AvatarName { get; }
 
-    /// <summary>Which values the frames have: those of the first one; further ones are rewritten where the server was set differently later.</summary>
+    /// <summary>The values that frames carry, as in the first frame. Later frames are converted if the server's settings changed.</summary>
     public ChannelLayout Layout { get; }
 
-    /// <summary>Rotation order and naming of the bones.</summary>
+    /// <summary>Rotation order and names of the bones.</summary>
     public SkeletonFormat Format { get; }
 
-    /// <summary>
-    /// The measured rate (<see cref="MeasuredFrameRate"/>), or the usual one (24, 25, 30, 48, 50, 60, 72, 75, 80, 90, 96, 100, 120, 144, 150, 180, 200, 240,
-    /// 300 or 360 Hz) within one per cent of it; 120 where arrival times do not tell. Where they stand on an even grid, as of a recording that was made of a
-    /// file, the rate of the grid, whatever it is: <see cref="FrameRateEstimator"/>. Of raw bytes, <see cref="PlaybackOptions.FrameRate"/>, or the rate
-    /// of their timecodes, or 120.
-    /// </summary>
+    /// <summary>Frames per second, estimated from the arrival times as in <see cref="FrameRateEstimator"/>.</summary>
+    /// <value>
+    /// <list type="bullet">
+    /// <item>A usual rate within one per cent of the measured one (<see cref="MeasuredFrameRate"/>), or else the measured rate.</item>
+    /// <item>The rate of the grid if the arrival times lie on an even grid, as in a recording made from a file.</item>
+    /// <item>120 if the arrival times do not give a rate.</item>
+    /// <item>For raw bytes: <see cref="PlaybackOptions.FrameRate"/>, or the rate of their timecodes, or 120.</item>
+    /// </list>
+    /// </value>
+    /// <remarks>
+    /// Usual rates: 24, 25, 30, 48, 50, 60, 72, 75, 80, 90, 96, 100, 120, 144, 150, 180, 200, 240, 300 and 360 Hz.
+    /// </remarks>
     public override double FrameRate => _timeline.FrameRate;
 
-    /// <summary>Frames per second by the arrival times, missing ones counted; null where these do not tell.</summary>
+    /// <summary>Frames per second according to the arrival times, with missing frames counted. Null if they do not give a rate.</summary>
     public double? MeasuredFrameRate => _timeline.MeasuredFrameRate;
 
     /// <inheritdoc/>
@@ -66,32 +75,36 @@ public sealed class RecordingSource : MotionSource
     /// <inheritdoc/>
     public override SkeletonVariant Variant => Format.Variant;
 
-    /// <summary>Frames that were received; one that came twice counts once.</summary>
+    /// <summary>Number of received frames. A frame that arrived twice counts once.</summary>
     public long ReceivedFrames { get; }
 
-    /// <summary>Frames that stand for missing ones.</summary>
+    /// <summary>Number of interpolated frames, which replace missing ones.</summary>
     public long InterpolatedFrames => _timeline.InterpolatedFrames;
 
-    /// <summary>Where frames are missing.</summary>
+    /// <summary>The gaps: places where frames are missing.</summary>
     public IReadOnlyList<RecordedGap> Gaps => _timeline.Gaps;
 
-    /// <summary>Whether the sizes of the body are the actor's: false where a stream without displacement leaves only the default ones.</summary>
+    /// <summary>
+    /// Whether the sizes of the body are those of the performer. False if a stream without displacement leaves only the default sizes.
+    /// </summary>
     public bool HasOwnBody => HasDisplacement || _body != SkeletonBody.GetDefault(Variant);
 
-    /// <summary>Whether <see cref="GetFootContacts"/> is what the server measured, not an estimate.</summary>
+    /// <summary>Whether <see cref="GetFootContacts"/> returns contacts from the server. Otherwise they are estimated.</summary>
     public bool HasMeasuredContacts { get; }
 
-    /// <summary>Reads a file.</summary>
-    /// <param name="path">A recording, or the raw bytes of a stream.</param>
-    /// <param name="avatarIndex">Which avatar; null for the first one that has a pose.</param>
-    /// <param name="options">How to read it; null for what the file says.</param>
-    /// <param name="progress">Told the part that is done, 0 to 1; null for nobody.</param>
-    /// <param name="cancellationToken">Ends the reading.</param>
+    /// <summary>Loads a file.</summary>
+    /// <param name="path">Path of a recording, or of the raw bytes of a stream.</param>
+    /// <param name="avatarIndex">Index of the avatar; null for the first avatar that has a pose.</param>
+    /// <param name="options">How to read the file; null for the format that the file states.</param>
+    /// <param name="progress">Receives progress, 0 to 1; may be null.</param>
+    /// <param name="cancellationToken">Cancels the reading.</param>
     /// <returns>The source.</returns>
-    /// <exception cref="NeuronException">The file is neither, or has no pose of the avatar; the message says what it has.</exception>
+    /// <exception cref="NeuronException">
+    /// The file has another format, or it has no pose of the avatar. The message says what the file holds.
+    /// </exception>
     /// <exception cref="IOException">The file cannot be opened or read.</exception>
-    /// <exception cref="UnauthorizedAccessException">The file may not be read.</exception>
-    /// <exception cref="OperationCanceledException">The reading was ended.</exception>
+    /// <exception cref="UnauthorizedAccessException">Access to the file is denied.</exception>
+    /// <exception cref="OperationCanceledException">The reading was cancelled.</exception>
     public static RecordingSource Load(
         string path,
         int? avatarIndex = null,
@@ -113,12 +126,14 @@ public sealed class RecordingSource : MotionSource
             : throw new NeuronException(DescribeLack(builder));
     }
 
-    /// <summary>The rate that a server is set to, from a measured one: see <see cref="FrameRate"/>.</summary>
-    /// <param name="measured">Frames per second.</param>
-    /// <returns>A usual rate within one per cent of it, or itself.</returns>
+    /// <summary>Chooses the rate that a server is probably set to, as <see cref="FrameRate"/> describes.</summary>
+    /// <param name="measured">Measured frames per second.</param>
+    /// <returns>A usual rate within one per cent of the measured one, or else the measured rate.</returns>
     public static double ChooseFrameRate(double measured) => RecordedTimeline.ChooseFrameRate(measured);
 
-    /// <summary>When a frame arrived, since the recording's start; of an interpolated one, when it would have.</summary>
+    /// <summary>
+    /// Gets the arrival time of a frame, since the start of the recording. An interpolated frame has the time at which it would have arrived.
+    /// </summary>
     /// <param name="frame">Frame number, from 0, below <see cref="FrameCount"/>.</param>
     /// <returns>The time.</returns>
     public TimeSpan GetTime(long frame) => _timeline.Rows[checked((int)frame)].Time;
@@ -134,22 +149,25 @@ public sealed class RecordingSource : MotionSource
             pose[0] = PoseValues.ReadReference(values, Layout, Format.RotationOrder).Apply(pose[0]);
     }
 
-    /// <summary>The values of a frame, as received.</summary>
+    /// <summary>Gets the values of a frame as received.</summary>
     /// <param name="frame">Frame number, from 0, below <see cref="FrameCount"/>.</param>
-    /// <returns>As many as <see cref="Layout"/> has, in the source's own memory.</returns>
+    /// <returns>The values of <see cref="Layout"/>, in memory that the source owns.</returns>
     public ReadOnlySpan<float> GetValues(long frame) => _timeline.Rows[checked((int)frame)].Values;
 
-    /// <summary>Which feet are on the ground: see <see cref="HasMeasuredContacts"/>. The first call for an estimate reads the whole take.</summary>
+    /// <summary>Gets which feet touch the ground, measured or estimated: see <see cref="HasMeasuredContacts"/>.</summary>
+    /// <remarks>For estimates, the first call reads the whole take.</remarks>
     /// <param name="frame">Frame number, from 0, below <see cref="FrameCount"/>.</param>
-    /// <returns>True for each foot that touches.</returns>
+    /// <returns>True for each foot that touches the ground.</returns>
     public override FootContacts GetFootContacts(long frame) => _contacts.Value[checked((int)frame)];
 
-    /// <summary>
-    /// Writes the body: the one whose hierarchy is in the recording's metadata; else with displacement that of the first frame, and without that of the
-    /// twelve sizes in the metadata, which the command channel told, or the default one.
-    /// </summary>
-    /// <param name="offsets">Room for the places of the 59 bones relative to their parents, in <see cref="Bone"/> order; centimetres.</param>
-    /// <param name="endSites">Room for 59 places where the bones end, relative to them; zero for bones that have children.</param>
+    /// <summary>Writes the body at rest.</summary>
+    /// <remarks>
+    /// If the metadata of the recording hold a hierarchy, it is that body. Otherwise a stream with displacement gives the body of its first frame.
+    /// Without displacement, the twelve sizes in the metadata give the body; they come from the command channel. Without them, it is the default
+    /// body.
+    /// </remarks>
+    /// <param name="offsets">Room for 59 bone positions relative to the parent bone, in <see cref="Bone"/> order; centimetres.</param>
+    /// <param name="endSites">Room for 59 end points of bones, relative to the bone. Zero for bones that have children.</param>
     public override void GetBody(Span<Vector3> offsets, Span<Vector3> endSites)
     {
         _body.Offsets.CopyTo(offsets);
@@ -166,7 +184,7 @@ public sealed class RecordingSource : MotionSource
     }
 
     private static string DescribeLack(RecordedTakeBuilder builder) => builder.Others.Count == 0
-        ? "It has no pose: no motion frame of the 59 bones."
+        ? "It has no motion frame with the 59 bones."
         : $"It has no pose of avatar {builder.AvatarIndex}; there {(builder.Others.Count == 1 ? "is" : "are")} "
             + string.Join(", ", builder.Others.Select(static other => $"{other.Key} ({other.Value})")) + ".";
 
@@ -182,7 +200,7 @@ public sealed class RecordingSource : MotionSource
         return SkeletonBody.FromPose(pose, Variant);
     }
 
-    // A frame whose calculation frame is missing has the contacts of the one before.
+    // A frame without a calculation frame has the contacts of the previous frame.
     private FootContacts[] ReadContacts()
     {
         var contacts = new FootContacts[_timeline.Rows.Count];

@@ -3,7 +3,7 @@ using NeuronMocap.Skeleton;
 
 namespace NeuronMocap.Server.Sources;
 
-// A performance that is turned about a vertical, all of it. Of its values only the hips' differ from the performance's own.
+// A source whose whole motion is turned about a vertical axis. Only the values of the hips differ from the original.
 internal sealed class RotatedSource(MotionSource source, BoneTransform turn) : MotionSource
 {
     public override double FrameRate => source.FrameRate;
@@ -32,7 +32,7 @@ internal sealed class RotatedSource(MotionSource source, BoneTransform turn) : M
         BoneTransform hips = Read(position, angles, order);
         if (layout.HasReference)
         {
-            // The turn is the world's, and the values are relative to the Reference node, which stays.
+            // The turn is in the world. The values are relative to the reference, which does not turn.
             BoneTransform reference = Read(values, values[3..], order);
             hips = Invert(reference).Apply(turn.Apply(reference.Apply(hips)));
         }

@@ -4,15 +4,15 @@ using NeuronMocap.Skeleton;
 
 namespace NeuronMocap.Server.Sources;
 
-/// <summary>The body that a performance is about, in the forms that servers tell it in.</summary>
+/// <summary>The body of a source, in the formats in which servers send it.</summary>
 internal static class SourceBody
 {
     private const float MetresPerCentimetre = 0.01f;
 
     /// <summary>
-    /// Lengths of the bones, in metres: from a bone's joint to the next joint of its chain, or to its End Site. The spine continues the hips, the
-    /// middle finger a hand.
+    /// Gets the lengths of the bones in metres, from a bone's joint to the next joint of its chain, or to its End Site.
     /// </summary>
+    /// <remarks>The spine continues the hips, and the middle finger continues a hand.</remarks>
     public static float[] GetLengths(MotionSource source)
     {
         Span<Vector3> offsets = stackalloc Vector3[BoneHierarchy.BoneCount];
@@ -28,7 +28,7 @@ internal static class SourceBody
         return lengths;
     }
 
-    /// <summary>The text that a BVH file of the performance begins with.</summary>
+    /// <summary>Gets the hierarchy text at the start of a BVH file of the source.</summary>
     public static string GetHierarchy(MotionSource source, RotationOrder order, ChannelLayout layout)
     {
         Span<Vector3> offsets = stackalloc Vector3[BoneHierarchy.BoneCount];
@@ -37,7 +37,7 @@ internal static class SourceBody
         return BvhHierarchyText.Create(offsets, endSites, new SkeletonFormat(order, source.Variant), layout);
     }
 
-    /// <summary>The twelve sizes of the body.</summary>
+    /// <summary>Gets the twelve sizes of the body.</summary>
     public static BoneDimensions Measure(MotionSource source)
     {
         Span<Vector3> offsets = stackalloc Vector3[BoneHierarchy.BoneCount];

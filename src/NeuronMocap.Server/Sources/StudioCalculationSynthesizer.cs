@@ -4,16 +4,20 @@ using NeuronMocap.Skeleton;
 
 namespace NeuronMocap.Server;
 
-/// <summary>
-/// Computes Axis Studio's calculation packets from a performance (protocol.md section 9). A pure function of the frame number; allocates nothing;
-/// any number of threads may call at once.
+/// <summary>Computes Axis Studio's calculation packets from a source (protocol.md section 9).</summary>
+/// <remarks>
+/// The result is a pure function of the frame number. Allocates nothing. Thread-safe.
+/// <para>The payload holds for each bone, in this order:</para>
+/// <list type="bullet">
+/// <item>rotation of the sensor (x, y, z, w), angular velocity and acceleration, as <see cref="CalculationSynthesizer"/> computes them;</item>
+/// <item>velocity and position of the bone's joint in the world, in metres per second and metres;</item>
+/// <item>rotation of the bone in the world (x, y, z, w);</item>
+/// <item>a 32-bit 0, which means that the sensor is not lost.</item>
+/// </list>
 /// <para>
-/// For each bone: rotation of the sensor (x, y, z, w), angular velocity and acceleration, as <see cref="CalculationSynthesizer"/> computes them;
-/// velocity and position of the bone's joint in the world, in metres per second and metres; rotation of the bone in the world (x, y, z, w);
-/// a 32-bit 0, which says that the sensor is not lost. Order and sizes of the groups are known from a guide; their axes, the units but for the
-/// metres, and that the bone's rotation is the one in the world are inferred.
+/// The order and sizes of the groups come from a guide. The axes, the units other than metres, and the rotation in the world are inferred.
 /// </para>
-/// </summary>
+/// </remarks>
 public static class StudioCalculationSynthesizer
 {
     /// <summary>Bytes of the payload: 84 for each of the 59 bones.</summary>
@@ -26,15 +30,15 @@ public static class StudioCalculationSynthesizer
     private const float MetresPerCentimetre = 0.01f;
 
     /// <summary>Writes the payload of one frame.</summary>
-    /// <param name="source">The performance.</param>
+    /// <param name="source">The source.</param>
     /// <param name="frame">Frame number, from 0, below the source's <see cref="MotionSource.FrameCount"/>.</param>
-    /// <param name="payload">Exactly 4956 bytes; all of them are written.</param>
-    /// <exception cref="ArgumentException">There is room for another number of bytes.</exception>
+    /// <param name="payload">Exactly 4956 bytes. All of them are written.</param>
+    /// <exception cref="ArgumentException">The span has another number of bytes.</exception>
     /// <exception cref="ArgumentOutOfRangeException">The source has no such frame.</exception>
     public static void Write(MotionSource source, long frame, Span<byte> payload)
     {
         if (payload.Length != PayloadSize)
-            throw new ArgumentException("The payload has 4956 bytes.", nameof(payload));
+            throw new ArgumentException("The span must hold exactly 4956 bytes.", nameof(payload));
 
         Span<float> sensors = stackalloc float[CalculationFrame.FullValueCount];
         CalculationSynthesizer.Write(source, frame, sensors);

@@ -4,18 +4,19 @@ using NeuronMocap.Skeleton;
 
 namespace NeuronMocap.Server;
 
-/// <summary>
-/// An actor that needs no take: it walks round a ring of two metres, stops every few steps, and waves, looks around, counts with its
-/// fingers or stretches. Its body is the default one (<see cref="DefaultOffsets"/>, variant Neck1). A foot on the ground does not move, and
-/// no foot goes below the ground, which is at Y = 0.
+/// <summary>A synthetic walk, which needs no file.</summary>
+/// <remarks>
+/// The avatar walks round a ring of two metres and stops every few steps. It also waves, looks around, counts with its fingers or stretches. Its body
+/// is the default body (<see cref="DefaultOffsets"/>, variant Neck1). A foot on the ground does not move, and no foot goes below the ground, which is
+/// at Y = 0.
 /// <para>
-/// The programme repeats every 40 seconds; a pose is computed from the frame number alone, in the same time and to the same precision for
-/// any frame up to 2^53. Immutable: any number of threads may ask at once. Asking allocates nothing.
+/// The motion repeats every 40 seconds. A pose is computed from the frame number alone. Time and precision are the same for every frame up to 2^53.
+/// Immutable and thread-safe. Computing a pose allocates nothing.
 /// </para>
-/// </summary>
+/// </remarks>
 public sealed class SyntheticSource : MotionSource
 {
-    // Stages of the lap that avatars begin at: multiples of this part of it stay well apart from each other, however many there are.
+    // The part of the lap between the starting points of consecutive avatars. Its multiples stay well apart, however many avatars there are.
     private const double GoldenPart = 0.38196601125010515;
 
     private const float StandingHeight = 83.4f;
@@ -28,17 +29,17 @@ public sealed class SyntheticSource : MotionSource
     private readonly double _startSeconds;
     private readonly float _ringX;
 
-    /// <summary>Makes an actor.</summary>
-    /// <param name="frameRate">Frames per second; the actor's speed does not depend on it.</param>
+    /// <summary>Creates a source.</summary>
+    /// <param name="frameRate">Frames per second. The speed of the avatar does not depend on it.</param>
     /// <param name="avatarIndex">
-    /// Which of several actors, from 0: each has a ring of its own, 320 cm further along X than the one before, begins at another point of
-    /// the programme and makes its gestures in another order. Two neighbours' paths are 120 cm apart where they are closest.
+    /// Index of the avatar, from 0. Each avatar has its own ring, 320 cm further along X than the previous one. It starts at another point of the
+    /// motion and makes its gestures in another order. The paths of two neighbours are at least 120 cm apart.
     /// </param>
-    /// <exception cref="ArgumentOutOfRangeException">The rate is not a positive number, or the avatar is negative.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">The rate is not a positive number, or the avatar index is negative.</exception>
     public SyntheticSource(double frameRate = 60, int avatarIndex = 0)
     {
         if (!(frameRate > 0) || double.IsInfinity(frameRate))
-            throw new ArgumentOutOfRangeException(nameof(frameRate), frameRate, "A frame rate is a positive number.");
+            throw new ArgumentOutOfRangeException(nameof(frameRate), frameRate, "The frame rate must be a positive number.");
         if (avatarIndex < 0)
             throw new ArgumentOutOfRangeException(nameof(avatarIndex), avatarIndex, "The avatar number must not be negative.");
 
@@ -52,7 +53,7 @@ public sealed class SyntheticSource : MotionSource
     /// <inheritdoc/>
     public override double FrameRate { get; }
 
-    /// <summary>Always null: the actor never gets tired.</summary>
+    /// <summary>Always null, because the motion never ends.</summary>
     public override long? FrameCount => null;
 
     /// <summary>Always true.</summary>
@@ -60,11 +61,11 @@ public sealed class SyntheticSource : MotionSource
 
     /// <inheritdoc/>
     /// <exception cref="ArgumentOutOfRangeException">The frame number is negative.</exception>
-    /// <exception cref="ArgumentException">There is less room.</exception>
+    /// <exception cref="ArgumentException">The span is shorter than 59 transforms.</exception>
     public override void GetPose(long frame, Span<BoneTransform> pose)
     {
         if (pose.Length < BoneHierarchy.BoneCount)
-            throw new ArgumentException("There must be room for each of the 59 bones.", nameof(pose));
+            throw new ArgumentException("The span must hold 59 transforms.", nameof(pose));
 
         double seconds = SecondsInLap(frame);
         var moment = new GaitMoment(seconds);
@@ -82,9 +83,8 @@ public sealed class SyntheticSource : MotionSource
         WriteHands(gesture, lap, pose);
     }
 
-    /// <summary>
-    /// Which feet are on the ground with the whole sole; at least one is. A foot that is rolling over its toes has begun to leave.
-    /// </summary>
+    /// <summary>Gets which feet are on the ground with the whole sole. At least one foot is.</summary>
+    /// <remarks>A foot that rolls over its toes counts as lifted.</remarks>
     /// <param name="frame">Frame number, from 0.</param>
     /// <returns>True for each foot that is planted.</returns>
     /// <exception cref="ArgumentOutOfRangeException">The frame number is negative.</exception>
@@ -95,8 +95,8 @@ public sealed class SyntheticSource : MotionSource
     }
 
     /// <summary>Writes the default body.</summary>
-    /// <param name="offsets">Room for the places of the 59 bones relative to their parents, in <see cref="Bone"/> order; centimetres.</param>
-    /// <param name="endSites">Room for 59 places where the bones end, relative to them; zero for bones that have children.</param>
+    /// <param name="offsets">Room for 59 bone positions relative to the parent bone, in <see cref="Bone"/> order; centimetres.</param>
+    /// <param name="endSites">Room for 59 end points of bones, relative to the bone. Zero for bones that have children.</param>
     public override void GetBody(Span<Vector3> offsets, Span<Vector3> endSites)
     {
         Offsets.CopyTo(offsets);
@@ -112,7 +112,7 @@ public sealed class SyntheticSource : MotionSource
         float stretch = gesture.AmountOf(GestureKind.Stretch);
         float counting = gesture.AmountOf(GestureKind.CountFingers);
 
-        // Both hands show one finger after the other from 0.6 s on, and the left one is a little behind.
+        // Both hands show one finger after the other from 0.6 s on. The left hand is a little behind.
         float count = (gesture.Seconds - 0.6f) * 1.9f;
         Hand.Write(right: true, lap * 11, Math.Max(wave, stretch), count, counting, pose);
         Hand.Write(right: false, lap * 13, stretch, count - 0.4f, counting, pose);
@@ -136,9 +136,9 @@ public sealed class SyntheticSource : MotionSource
     private double SecondsInLap(long frame)
     {
         if (frame < 0)
-            throw new ArgumentOutOfRangeException(nameof(frame), frame, "Frames are counted from 0.");
+            throw new ArgumentOutOfRangeException(nameof(frame), frame, "The frame number must not be negative.");
 
-        // The remainder of two doubles is exact, so the time within the lap is as precise in a year as it is at the start.
+        // The remainder of two doubles is exact, so the time within the lap stays precise after any number of laps.
         double seconds = (frame % _framesPerLap / FrameRate) + _startSeconds;
         return seconds < GaitMoment.LapSeconds ? seconds : seconds - GaitMoment.LapSeconds;
     }
@@ -148,12 +148,12 @@ public sealed class SyntheticSource : MotionSource
         float walking = moment.Walking;
         float idle = (1 - walking) * MathF.Sin(lap * 5);
 
-        // The pelvis shifts over the standing foot, and into the ring; it is low when both feet are on the ground, far apart.
+        // The pelvis shifts over the standing foot, and into the ring. It is low when both feet are on the ground, far apart.
         float left = (moment.Weight * 2.2f) + walking + (idle * 1.2f);
         Vector3 place = WalkingPath.Point(moment.Station, left, _ringX);
         place.Y = StandingHeight - (walking * 3.3f) + (moment.Rise * 1.9f) - (idle * idle * 0.4f);
 
-        // The side of the swinging leg comes forward and hangs a little.
+        // The side of the swinging leg moves forward and drops a little.
         Quaternion rotation = Turn.Y(PelvisHeading(moment))
             * Turn.Z((moment.Weight * 3) - (walking * 0.6f) + idle)
             * Turn.X(walking * 2);

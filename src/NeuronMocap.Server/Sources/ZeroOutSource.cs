@@ -3,12 +3,12 @@ using NeuronMocap.Skeleton;
 
 namespace NeuronMocap.Server.Sources;
 
-// A performance that can be told to face front, as the broadcaster's zero-out does. It stays a pure function of the frame number: a turn holds from the
-// first frame on that nobody has asked for yet, and so never changes one that was sent. The oldest of very many turns is forgotten: who is further behind
-// than all of them gets the oldest that is left.
+// A source that can be turned to face front, for the zero-out of the broadcaster. It stays a pure function of the frame number: a turn applies from
+// the first frame that nothing has read yet, so it never changes a frame that was sent. Only the newest turns are kept. A reader that is further
+// behind gets the oldest kept turn.
 internal sealed class ZeroOutSource(MotionSource source) : MotionSource
 {
-    // Whoever asks again and again, at every frame, gets no more memory for it.
+    // Limits the memory of a client that zeroes out at every frame.
     public const int MaxTurns = 1024;
 
     private readonly object _lock = new();
@@ -32,8 +32,8 @@ internal sealed class ZeroOutSource(MotionSource source) : MotionSource
 
     public override SkeletonVariant Variant => source.Variant;
 
-    // Nothing happens when there is no frame left that could be turned. False when the pose is not finite: it has no front, and what is computed from it
-    // would stay with the performance for good.
+    // Does nothing and returns true if no frame is left to turn. Returns false if the pose is not finite: such a pose has no front, and the
+    // values computed from it would spoil all later frames.
     public bool FaceFront(long frameCount)
     {
         Span<BoneTransform> pose = stackalloc BoneTransform[BoneHierarchy.BoneCount];
@@ -84,14 +84,14 @@ internal sealed class ZeroOutSource(MotionSource source) : MotionSource
     private static bool IsFinite(in BoneTransform transform) =>
         float.IsFinite(transform.Position.LengthSquared()) && float.IsFinite(transform.Rotation.LengthSquared());
 
-    // About the vertical through the hips, which stay where they are.
+    // Turns about the vertical axis through the hips. The position of the hips does not change.
     private static BoneTransform TurnToFront(BoneTransform hips)
     {
         Quaternion rotation = Quaternion.CreateFromAxisAngle(Vector3.UnitY, -Heading(hips.Rotation));
         return new BoneTransform(hips.Position - Vector3.Transform(hips.Position, rotation), rotation);
     }
 
-    // The angle of the forward direction on the ground. Somebody who lies looks up or down; then what turned about the vertical counts.
+    // The angle of the forward direction on the ground. For a lying body, which faces up or down, the turn about the vertical axis counts.
     private static float Heading(Quaternion rotation)
     {
         const float NearlyVertical = 0.1f;

@@ -5,16 +5,16 @@ using System.Net;
 
 namespace NeuronMocap.Tool.Arguments;
 
-/// <summary>Options that several verbs have, each with the same name, the same values and the same errors. Every call makes another one.</summary>
+/// <summary>Options that several verbs have, each with the same name, values and errors. Every call creates a new option.</summary>
 internal static class CommonOptions
 {
     private const double LongestTime = 1_000_000;
 
     public static Option<bool> Json(string description) => new("--json") { Description = description };
 
-    public static Option<bool> Quiet() => new("--quiet") { Description = "Print nothing but the summary at the end, as one JSON object." };
+    public static Option<bool> Quiet() => new("--quiet") { Description = "Print only the summary at the end, as one JSON object." };
 
-    public static Option<bool> Overwrite(string files) => new("--overwrite") { Description = $"Replace {files} if there is one; else that is an error." };
+    public static Option<bool> Overwrite(string files) => new("--overwrite") { Description = $"Overwrite {files}. Without this option, an existing file is an error." };
 
     public static Option<long?> Frames() => new("--frames")
     {
@@ -32,7 +32,7 @@ internal static class CommonOptions
         Arity = ArgumentArity.ExactlyOne,
     };
 
-    /// <summary>The time to end after.</summary>
+    /// <summary>The time after which to end.</summary>
     public static Option<TimeSpan?> Duration(string description) => new("--duration")
     {
         HelpName = "SECONDS",
@@ -44,7 +44,7 @@ internal static class CommonOptions
         Arity = ArgumentArity.ExactlyOne,
     };
 
-    /// <summary>A time of a take.</summary>
+    /// <summary>A time within a take.</summary>
     public static Option<double?> Time(string name, string description) => new(name)
     {
         HelpName = "SECONDS",
@@ -67,22 +67,22 @@ internal static class CommonOptions
         return option;
     }
 
-    /// <summary>The rate of a file without times.</summary>
+    /// <summary>The frame rate of a file without times.</summary>
     public static Option<double?> Rate() => new("--rate")
     {
         HelpName = "HZ",
-        Description = "Frames of each avatar per second of a file that holds bytes without times, or of a calculation export, 0.01 to 100000. "
-            + "Default: as its timecodes say, or 120.",
+        Description = "Frames per second of each avatar, 0.01 to 100000, for a file that holds bytes without times or a calculation export. "
+            + "Default: the rate of its timecodes, or 120.",
         CustomParser = static result => NumberArgument.Parse(result, 0.01, 100_000, "a number from 0.01 to 100000"),
         Arity = ArgumentArity.ExactlyOne,
     };
 
-    /// <summary>Which avatar.</summary>
+    /// <summary>The index of an avatar.</summary>
     public static Option<int?> Avatar(string description) => new("--avatar")
     {
         HelpName = "N",
         Description = description,
-        CustomParser = static result => NumberArgument.ParseWhole(result, 0, int.MaxValue, "a number of an avatar, from 0"),
+        CustomParser = static result => NumberArgument.ParseWhole(result, 0, int.MaxValue, "an avatar number, from 0"),
         Arity = ArgumentArity.ExactlyOne,
     };
 
@@ -102,7 +102,7 @@ internal static class CommonOptions
         Arity = ArgumentArity.ExactlyOne,
     };
 
-    /// <summary>Addresses, each behind the option again.</summary>
+    /// <summary>Addresses. The option is repeated for each of them.</summary>
     public static Option<IPAddress[]> Addresses(string name, string description) => new(name)
     {
         HelpName = "ADDRESS",

@@ -5,22 +5,22 @@ using NeuronMocap.Protocol;
 
 namespace NeuronMocap.Tool.Arguments;
 
-/// <summary>The options about the connection to a server.</summary>
+/// <summary>The options for the connection to a server.</summary>
 internal sealed class ConnectionArguments
 {
     public Option<IPAddress[]> AllowSender { get; } = CommonOptions.Addresses(
         "--allow-sender",
-        "With udp://: let only this address send, and drop the datagrams of all others; may be repeated. Default: all may send.");
+        "With udp://: receive only from this address, and drop all other datagrams; may be repeated. Default: receive from all.");
 
     public Option<IPAddress?> LocalAddress { get; } = CommonOptions.Address(
         "--local-address",
-        "Of a computer with several networks: connect from this address of it, or receive UDP on it only. Default: over TCP as the system chooses, over UDP "
+        "On a computer with several networks: connect from this address, or receive UDP only on it. Default: TCP uses the address that the system chooses, UDP "
             + "all IPv4 addresses.");
 
     public Option<int?> CommandPort { get; } = CommonOptions.Port(
         "--command-port",
-        "With a TCP source: ask the server's command channel on this port for the rotation order and the names of the bones, which most streams do not say. "
-            + $"Usually {ProtocolConstants.DefaultCommandPort}; the verb command shows all that it tells.");
+        "With a TCP source: ask the server's command channel on this port for the rotation order and the names of the bones, which most streams do not carry. "
+            + $"Usually {ProtocolConstants.DefaultCommandPort}. The verb command shows all its answers.");
 
     public Option<int?> CalculationPort { get; } = CommonOptions.Port(
         "--calculation-port",

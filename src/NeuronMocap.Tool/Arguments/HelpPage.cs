@@ -4,7 +4,7 @@ using NeuronMocap.Tool.Terminal;
 
 namespace NeuronMocap.Tool.Arguments;
 
-/// <summary>What --help shows, of the program or of a verb.</summary>
+/// <summary>The page that --help shows, for the program or for a verb.</summary>
 internal sealed class HelpPage(StandardStreams streams) : SynchronousCommandLineAction
 {
     private const int WidestText = 120;
@@ -92,7 +92,7 @@ internal sealed class HelpPage(StandardStreams streams) : SynchronousCommandLine
             _page.WriteRow($"{code}", 3, meaning, Palette.StrongStyle);
     }
 
-    // Labels as wide as most; what is wider has a line of its own.
+    // Most labels fit into the column. A wider label gets its own line.
     private void WriteRows(IReadOnlyList<(string Label, string Text)> rows)
     {
         int width = Math.Min(rows.Max(static row => row.Label.Length), streams.IsTerminal ? WidestLabel : int.MaxValue);

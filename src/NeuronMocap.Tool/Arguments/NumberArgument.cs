@@ -3,7 +3,7 @@ using System.Globalization;
 
 namespace NeuronMocap.Tool.Arguments;
 
-/// <summary>The number of an option, or null and an error that says which one is expected.</summary>
+/// <summary>Parses the number of an option. If it is wrong, returns null and adds an error with the expected value.</summary>
 internal static class NumberArgument
 {
     public static double? Parse(ArgumentResult result, double least, double most, string expected) =>

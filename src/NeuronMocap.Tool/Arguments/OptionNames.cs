@@ -7,10 +7,11 @@ using NeuronMocap.Server;
 
 namespace NeuronMocap.Tool.Arguments;
 
-/// <summary>
-/// The library's messages name the members of its options, but whoever types a command line knows the options of this program. Text of the library
-/// goes through here before it is shown. What this program does not let anybody set has a plain name.
-/// </summary>
+/// <summary>Replaces names of the library's members in its messages by options of this program.</summary>
+/// <remarks>
+/// The library's messages name members, but users of the command line know the options of this program. All text of the library passes through here
+/// before it is shown. A member without an option gets a plain name.
+/// </remarks>
 internal static class OptionNames
 {
     private static readonly Dictionary<string, string> Names = new(StringComparer.Ordinal)
@@ -18,36 +19,36 @@ internal static class OptionNames
         [nameof(NeuronReaderOptions.AllowedSenders)] = "--allow-sender",
         [nameof(NeuronReaderOptions.CalculationPort)] = "--calculation-port",
         [nameof(NeuronReaderOptions.CommandPort)] = "--command-port",
-        [nameof(NeuronReaderOptions.ConnectTimeout)] = "the time to connect in",
+        [nameof(NeuronReaderOptions.ConnectTimeout)] = "the connection time-out",
         [nameof(NeuronReaderOptions.LocalAddress)] = "--local-address",
         [nameof(NeuronReaderOptions.LoggerFactory)] = "the log",
         [nameof(NeuronReaderOptions.MaxValues)] = "the limit of values in a packet",
         [nameof(NeuronReaderOptions.ReceiveThread)] = "the thread that receives",
         [nameof(NeuronReaderOptions.RotationOrder)] = "--order",
         [nameof(NeuronReaderOptions.SharePort)] = "the sharing of the port",
-        [nameof(NeuronReaderOptions.SilenceTimeout)] = "the time of silence",
+        [nameof(NeuronReaderOptions.SilenceTimeout)] = "the silence time-out",
         [nameof(NeuronReaderOptions.SkeletonVariant)] = "the names of the spine's bones",
         [$"{nameof(NeuronReaderOptions.Reconnect)}.{nameof(ReconnectPolicy.Enabled)}"] = "--once",
         [$"{nameof(NeuronReaderOptions.Reconnect)}.{nameof(ReconnectPolicy.InitialDelay)}"] = "the first wait before another attempt",
         [$"{nameof(NeuronReaderOptions.Reconnect)}.{nameof(ReconnectPolicy.MaxDelay)}"] = "the longest wait before another attempt",
         [nameof(ReconnectPolicy.InitialDelay)] = "the first wait before another attempt",
         [nameof(ReconnectPolicy.MaxDelay)] = "the longest wait before another attempt",
-        [$"{nameof(NeuronCommandOptions)}.{nameof(NeuronCommandOptions.Timeout)}"] = "the time to answer in",
+        [$"{nameof(NeuronCommandOptions)}.{nameof(NeuronCommandOptions.Timeout)}"] = "the answer time-out",
         [$"{nameof(NeuronCommandOptions)}.{nameof(NeuronCommandOptions.MaxReplySize)}"] = "the limit of a reply",
         [$"{nameof(NeuronCommandOptions)}.{nameof(NeuronCommandOptions.AcceptAnyReplyId)}"] = "the library to accept them",
         [nameof(NeuronCommandOptions.AcceptAnyReplyId)] = "the acceptance of any reply",
         [nameof(NeuronCommandOptions.MaxReplySize)] = "the limit of a reply",
-        [nameof(DiagnosisOptions.SearchOtherPorts)] = "the look at other ports",
+        [nameof(DiagnosisOptions.SearchOtherPorts)] = "the search on other ports",
         [nameof(PlaybackOptions.FrameRate)] = "--rate",
         [nameof(RecordingOptions.FlushInterval)] = "the time between writes",
         [nameof(RecordingOptions.FlushToDisk)] = "the wait for the disk",
         [nameof(RecordingOptions.MaxFileDuration)] = "--record-time",
         [nameof(RecordingOptions.MaxFileSize)] = "--record-size",
         [nameof(RecordingOptions.MaxFiles)] = "--record-files",
-        [nameof(RecordingOptions.QueueSize)] = "the memory for what the disk has not taken",
+        [nameof(RecordingOptions.QueueSize)] = "the size of the write buffer",
         [nameof(BvhExportOptions.AvatarIndex)] = "--export-avatar",
         [nameof(BvhExportOptions.FrameTime)] = "the frame time of the export",
-        [nameof(BvhExportOptions.HeaderTimeout)] = "the time to ask for the body in",
+        [nameof(BvhExportOptions.HeaderTimeout)] = "the time-out for the body",
         [nameof(BvhExportOptions.FilePerAvatar)] = "--export-avatar all",
         [nameof(BvhExportOptions.MaxFrames)] = "--frames",
         [nameof(BvhExportOptions.TextFormat)] = "the text format of the export",
@@ -55,7 +56,7 @@ internal static class OptionNames
         [nameof(BroadcasterOptions.UdpDestinations)] = "the destinations of the simulator",
     };
 
-    // Words of English, too, and therefore names only in what the library says about an option that is out of its range.
+    // These names are also English words. They are replaced only in messages about an option that is out of range.
     private static readonly Dictionary<string, string> FaultNames = new(Names, StringComparer.Ordinal)
     {
         [nameof(NeuronReaderOptions.Host)] = "the host of the source",
@@ -69,17 +70,17 @@ internal static class OptionNames
         [nameof(RecordingOptions.Compress)] = "--record-compress",
         [nameof(RecordingOptions.Overwrite)] = "--overwrite",
         [nameof(BvhExportOptions.Body)] = "the body of the export",
-        [nameof(BvhExportOptions.Capacity)] = "the memory for what the disk has not taken",
+        [nameof(BvhExportOptions.Capacity)] = "the size of the write buffer",
         [nameof(BvhExportOptions.GapHandling)] = "the gaps of the export",
     };
 
-    /// <summary>A sentence of the library, with the names of options.</summary>
+    /// <summary>Replaces the names in a message of the library.</summary>
     public static string Translate(string text) => Translate(text, Names);
 
-    /// <summary>What the library says about an option that is out of its range, with the names of options.</summary>
+    /// <summary>Replaces the names in a message of the library about an option that is out of range.</summary>
     public static string Translate(ArgumentException fault)
     {
-        // The runtime names the parameter at the end.
+        // The runtime appends the name of the parameter.
         int parameter = fault.Message.IndexOf(" (Parameter '", StringComparison.Ordinal);
         return Translate(parameter < 0 ? fault.Message : fault.Message[..parameter], FaultNames);
     }
@@ -103,7 +104,8 @@ internal static class OptionNames
         return translated is null ? text : translated.Append(text, copied, text.Length - copied).ToString();
     }
 
-    // A member's name is one word, or two with a point between: Reconnect.Enabled. A point at the end of a sentence is none of it.
+    // A member's name is one word, or two words with a point between, such as Reconnect.Enabled. A point at the end of a sentence does not belong to
+    // it.
     private static int EndOfWord(string text, int start)
     {
         int end = start;

@@ -1,6 +1,6 @@
 namespace NeuronMocap.Tool.Arguments;
 
-/// <summary>What the help of the program says besides its verbs.</summary>
+/// <summary>The help of the program, apart from its verbs.</summary>
 internal static class ProgramHelp
 {
     public const string Description =
@@ -18,8 +18,8 @@ internal static class ProgramHelp
 
     public static IReadOnlyList<(int Code, string Meaning)> ExitCodes { get; } =
     [
-        (CommandLine.Done, "done as asked"),
-        (CommandLine.NothingReceived, "nothing was received, or something could not be read or written; standard error says what to look at"),
+        (CommandLine.Done, "success"),
+        (CommandLine.NothingReceived, "nothing was received, or something could not be read or written; standard error says what to check"),
         (CommandLine.BadUsage, "wrong command line"),
         (CommandLine.Interrupted, "ended by Ctrl+C or SIGTERM before a result"),
     ];

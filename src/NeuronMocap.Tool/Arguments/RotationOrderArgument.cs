@@ -2,7 +2,7 @@ using System.CommandLine.Parsing;
 
 namespace NeuronMocap.Tool.Arguments;
 
-/// <summary>The rotation order of an option, or null and an error that names all of them.</summary>
+/// <summary>Parses the rotation order of an option. If it is wrong, returns null and adds an error that lists all orders.</summary>
 internal static class RotationOrderArgument
 {
     public static RotationOrder? Parse(ArgumentResult result)

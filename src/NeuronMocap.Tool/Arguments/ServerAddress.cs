@@ -3,15 +3,15 @@ using NeuronMocap.Commands;
 
 namespace NeuronMocap.Tool.Arguments;
 
-/// <summary>The computer and the port that a server listens on.</summary>
+/// <summary>The computer and port of a server.</summary>
 /// <param name="Host">A name or an address, without brackets.</param>
 /// <param name="Port">1 to 65535.</param>
 internal readonly record struct ServerAddress(string Host, int Port)
 {
     public static ServerAddress Of(IPEndPoint endPoint) => new(endPoint.Address.ToString(), endPoint.Port);
 
-    /// <summary>Reads the address of a stream.</summary>
-    /// <exception cref="FormatException">The text is not an address of a server; the message says why.</exception>
+    /// <summary>Parses the address of a stream.</summary>
+    /// <exception cref="FormatException">The text is not the address of a server. The message says why.</exception>
     public static ServerAddress Parse(string text)
     {
         var options = NeuronReaderOptions.Parse(text);
@@ -20,7 +20,7 @@ internal readonly record struct ServerAddress(string Host, int Port)
             : throw new FormatException($"'{text}' is a port of this computer. Use HOST or HOST:PORT.");
     }
 
-    /// <summary>Reads the address of a command channel, which has another usual port.</summary>
+    /// <summary>Parses the address of a command channel, which has a different default port.</summary>
     /// <inheritdoc cref="Parse"/>
     public static ServerAddress ParseCommandChannel(string text)
     {
@@ -28,17 +28,17 @@ internal readonly record struct ServerAddress(string Host, int Port)
         return new ServerAddress(options.Host, options.Port);
     }
 
-    /// <summary>Reads where to send datagrams to, HOST:PORT. There is no usual port.</summary>
-    /// <exception cref="FormatException">The text is not an address, or has no port; the message says so.</exception>
+    /// <summary>Parses a destination of datagrams, HOST:PORT. It has no default port.</summary>
+    /// <exception cref="FormatException">The text is not an address, or has no port. The message says which.</exception>
     public static ServerAddress ParseDestination(string text)
     {
-        // An address that says all of itself is equal to its text.
+        // A complete address is equal to its text.
         ServerAddress address = Parse(text);
         return address.ToString().Equals(text.Trim(), StringComparison.Ordinal)
             ? address
             : throw new FormatException($"'{text}' is not of the form HOST:PORT.");
     }
 
-    /// <summary>As it is written with its port: an IPv6 address stands in brackets.</summary>
+    /// <summary>The address with its port. An IPv6 address is in brackets.</summary>
     public override string ToString() => Host.Contains(':', StringComparison.Ordinal) ? $"[{Host}]:{Port}" : $"{Host}:{Port}";
 }

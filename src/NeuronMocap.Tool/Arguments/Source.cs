@@ -4,7 +4,7 @@ using NeuronMocap.Tool.Files;
 
 namespace NeuronMocap.Tool.Arguments;
 
-/// <summary>Where frames come from.</summary>
+/// <summary>The kinds of sources.</summary>
 internal enum SourceKind
 {
     /// <summary>A simulator inside this process.</summary>
@@ -16,15 +16,15 @@ internal enum SourceKind
     /// <summary>A port of this computer, over UDP.</summary>
     Udp,
 
-    /// <summary>A recording, or the bytes of a stream.</summary>
+    /// <summary>A recording, or the raw bytes of a stream.</summary>
     File,
 }
 
-/// <summary>What the word SOURCE means: HOST, HOST:PORT, tcp://HOST[:PORT], udp://[ADDRESS]:PORT, a file, or demo.</summary>
-/// <param name="Kind">What it is.</param>
+/// <summary>The meaning of SOURCE: HOST, HOST:PORT, tcp://HOST[:PORT], udp://[ADDRESS]:PORT, a file, or demo.</summary>
+/// <param name="Kind">The kind of the source.</param>
 internal sealed record Source(SourceKind Kind)
 {
-    /// <summary>How a source is written, for help and for errors.</summary>
+    /// <summary>The forms of a source, for help and errors.</summary>
     public const string Forms = "HOST, HOST:PORT, tcp://HOST:PORT, udp://:PORT, a file, or demo";
 
     private const string DemoWord = "demo";
@@ -34,16 +34,16 @@ internal sealed record Source(SourceKind Kind)
     /// <summary>The simulator inside this process.</summary>
     public static Source Demo { get; } = new(SourceKind.Demo);
 
-    /// <summary>The server; null for all but TCP.</summary>
+    /// <summary>The server; null unless the source is TCP.</summary>
     public ServerAddress? Server { get; private init; }
 
-    /// <summary>The port of this computer; null for all but UDP.</summary>
+    /// <summary>The port of this computer; null unless the source is UDP.</summary>
     public int? UdpPort { get; private init; }
 
-    /// <summary>The address of this computer to receive on, which only udp:// names; null for all of them.</summary>
+    /// <summary>The address of this computer to receive on, which only udp:// can name. Null for all addresses.</summary>
     public IPAddress? LocalAddress { get; private init; }
 
-    /// <summary>The file, as it was written; null for all but a file.</summary>
+    /// <summary>The file as given; null unless the source is a file.</summary>
     public string? File { get; private init; }
 
     public static Source OfServer(ServerAddress server) => new(SourceKind.Tcp) { Server = server };
@@ -52,10 +52,10 @@ internal sealed record Source(SourceKind Kind)
 
     public static Source OfFile(string path) => new(SourceKind.File) { File = path };
 
-    /// <summary>Reads a source.</summary>
-    /// <param name="text">A word of the command line.</param>
-    /// <param name="source">What it means.</param>
-    /// <param name="error">Why it means nothing.</param>
+    /// <summary>Parses a source.</summary>
+    /// <param name="text">An argument of the command line.</param>
+    /// <param name="source">The source.</param>
+    /// <param name="error">The reason why the text is not a source.</param>
     public static bool TryParse(string text, [NotNullWhen(true)] out Source? source, [NotNullWhen(false)] out string? error)
     {
         (source, error) = (null, null);
@@ -71,7 +71,7 @@ internal sealed record Source(SourceKind Kind)
         }
     }
 
-    /// <summary>As it is written on the command line, with the transport and the port.</summary>
+    /// <summary>The source as on the command line, with transport and port.</summary>
     public override string ToString() => Kind switch
     {
         SourceKind.Tcp => $"{TcpScheme}{Server}",
@@ -97,13 +97,13 @@ internal sealed record Source(SourceKind Kind)
         if (options.Transport == TransportKind.Tcp)
             return OfServer(new ServerAddress(options.Host, options.Port));
 
-        // The library takes any free port for 0. Nobody knows it, so nobody sends to it.
+        // The library takes any free port for 0. No sender would know that port.
         return options.Port > 0
             ? OfUdp(options.Port, options.LocalAddress)
             : throw new FormatException($"'{text}' has no port that a server could send to. Use udp://:PORT with a port from 1 to {IPEndPoint.MaxPort}.");
     }
 
-    // A computer may have the name of a file: tcp://take.bin is one.
+    // A computer may have the name of a file. tcp://take.bin means the computer.
     private static bool IsFileName(string word) =>
         word.AsSpan().TrimEnd('/').ContainsAny('/', '\\') || FileKinds.OfName(word) is not null || System.IO.File.Exists(word);
 }

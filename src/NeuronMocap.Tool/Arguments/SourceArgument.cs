@@ -3,22 +3,22 @@ using System.CommandLine.Parsing;
 
 namespace NeuronMocap.Tool.Arguments;
 
-/// <summary>The word SOURCE of a verb.</summary>
+/// <summary>The argument SOURCE of a verb.</summary>
 internal sealed class SourceArgument : Argument<Source?>
 {
-    /// <summary>Makes the argument.</summary>
-    /// <param name="what">What the verb does with it.</param>
-    /// <param name="whenLeftOut">What stands for none.</param>
+    /// <summary>Creates the argument.</summary>
+    /// <param name="what">What the verb does with the source.</param>
+    /// <param name="whenLeftOut">The default source.</param>
     public SourceArgument(string what, string whenLeftOut)
         : base("SOURCE")
     {
-        Description = $"{what}: {Source.Forms}. An IPv6 address with a port stands in brackets: [::1]:7001. Default: {whenLeftOut}.";
+        Description = $"{what}: {Source.Forms}. Write an IPv6 address with a port in brackets: [::1]:7001. Default: {whenLeftOut}.";
         Arity = ArgumentArity.ZeroOrOne;
         CustomParser = Parse;
         CompletionSources.Add("demo", "tcp://", "udp://:");
     }
 
-    /// <summary>What the command line names; null without a source, and where it is wrong.</summary>
+    /// <summary>Gets the source on the command line. Null if it is missing or wrong.</summary>
     public Source? Find(CommandResult result) =>
         result.GetResult(this) is { Tokens: [var word, ..] } && Source.TryParse(word.Value, out Source? source, out _) ? source : null;
 

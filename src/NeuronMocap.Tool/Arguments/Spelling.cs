@@ -1,12 +1,12 @@
 namespace NeuronMocap.Tool.Arguments;
 
-/// <summary>Finds the word that was meant by one with a slip in it.</summary>
+/// <summary>Finds the word that a misspelt word probably means.</summary>
 internal static class Spelling
 {
-    // Of two letters in three that are the same nobody means another word.
+    // At most one wrong letter in three. Words with more differences are too unlike.
     private const int LettersPerSlip = 3;
 
-    /// <summary>The nearest word; null when none is near.</summary>
+    /// <summary>Finds the nearest word. Null if no word is near.</summary>
     public static string? FindNearest(string typed, IEnumerable<string> words)
     {
         (string Word, int Slips) best = words
@@ -17,7 +17,7 @@ internal static class Spelling
         return best.Slips <= Math.Max(1, typed.Length / LettersPerSlip) ? best.Word : null;
     }
 
-    // Letters to change, add, leave out or swap with the next; the beginning of a word is as good as the word.
+    // Counts the letters to change, add, remove or swap with the next. The start of a word counts as the word.
     private static int CountSlips(string typed, string word)
     {
         if (typed.Length > 1 && word.StartsWith(typed, StringComparison.Ordinal))

@@ -4,12 +4,12 @@ using NeuronMocap.Tool.Terminal;
 
 namespace NeuronMocap.Tool.Arguments;
 
-/// <summary>The one line that a wrong command line is answered with.</summary>
+/// <summary>Describes a wrong command line in one line.</summary>
 internal static class UsageFault
 {
-    /// <summary>Finds what is wrong.</summary>
+    /// <summary>Finds the fault of a command line.</summary>
     /// <param name="result">The command line.</param>
-    /// <returns>A sentence and where help is; null when nothing is wrong.</returns>
+    /// <returns>A sentence and where to find help; null if nothing is wrong.</returns>
     public static string? Find(ParseResult result)
     {
         Command command = result.CommandResult.Command;
@@ -30,7 +30,7 @@ internal static class UsageFault
         return result.Errors.Count > 0 ? WithHelp(help, result.Errors[0].Message) : null;
     }
 
-    /// <summary>The sentence, on one line, and where help is.</summary>
+    /// <summary>Formats a fault as one line, with a pointer to the help.</summary>
     public static string WithHelp(string program, string fault) => $"{TerminalText.Clean(fault)} {program} --help lists the options.";
 
     private static string? FindWithoutVerb(ParseResult result, string[] leftOver)
@@ -45,7 +45,7 @@ internal static class UsageFault
         return fault is null ? null : $"{TerminalText.Clean(fault)} {CommandLine.Name} --help lists the verbs.";
     }
 
-    // The name of a verb with dashes, or an option of one.
+    // Suggests a verb if the option is the name of a verb with dashes, or an option of a verb.
     private static string SuggestVerb(string option, Verb[] verbs)
     {
         string name = NameOf(option);
@@ -71,7 +71,7 @@ internal static class UsageFault
     private static IEnumerable<string> TokensOf(CommandResult command) =>
         command.Children.OfType<ArgumentResult>().SelectMany(static argument => argument.Tokens).Select(static token => token.Value);
 
-    // Who forgets a value would otherwise record to a file that is named like the next option.
+    // Finds an option whose value looks like another option. Without this check, a forgotten value would record to a file with an option's name.
     private static (string Option, string Value)? FindSwallowed(CommandResult command)
     {
         string[] names = [.. command.Command.Options.Select(static option => option.Name)];
@@ -84,7 +84,7 @@ internal static class UsageFault
         return null;
     }
 
-    // The parser has a sentence for each of these, too, but in its own words.
+    // The parser also has sentences for these faults, but in its own words.
     private static string? FindMiscounted(CommandResult command)
     {
         foreach (OptionResult option in command.Children.OfType<OptionResult>())
@@ -106,7 +106,7 @@ internal static class UsageFault
     {
         string[] names = [.. command.Options.Select(static option => option.Name)];
         if (names.Contains(unknown, StringComparer.Ordinal))
-            return $"{unknown} stands before the verb: write {CommandLine.Name} {command.Name} {unknown}.";
+            return $"{unknown} is before the verb: write {CommandLine.Name} {command.Name} {unknown}.";
 
         string? meant = Spelling.FindNearest(NameOf(unknown), names.Select(NameOf));
         return $"unknown option {unknown}{(meant is null ? "." : $": did you mean --{meant}?")}";

@@ -4,12 +4,12 @@ using NeuronMocap.Tool.Terminal;
 
 namespace NeuronMocap.Tool.Arguments;
 
-/// <summary>A command line to type, and what it does.</summary>
-/// <param name="Arguments">What stands behind the name of the program.</param>
-/// <param name="Meaning">What it does, in a line.</param>
+/// <summary>An example of a command line.</summary>
+/// <param name="Arguments">The arguments after the name of the program.</param>
+/// <param name="Meaning">Its effect, in one line.</param>
 internal sealed record HelpExample(string Arguments, string Meaning);
 
-/// <summary>One of the things that the program does, with its options, its examples and its exit codes.</summary>
+/// <summary>A verb of the program, with its options, examples and exit codes.</summary>
 internal abstract class Verb : Command
 {
     private readonly List<(string Title, Option[] Options)> _sections = [];
@@ -19,26 +19,26 @@ internal abstract class Verb : Command
     {
     }
 
-    /// <summary>The options in the order of the help, under a title each.</summary>
+    /// <summary>The options in the order of the help, grouped under titles.</summary>
     public IReadOnlyList<(string Title, Option[] Options)> Sections => _sections;
 
-    /// <summary>What to type.</summary>
+    /// <summary>Examples of the verb.</summary>
     public abstract IReadOnlyList<HelpExample> Examples { get; }
 
-    /// <summary>What the exit codes mean, apart from 2, which means the same everywhere.</summary>
+    /// <summary>The meaning of the exit codes, except 2, which is the same for all verbs.</summary>
     public abstract IReadOnlyList<(int Code, string Meaning)> ExitCodes { get; }
 
-    /// <summary>Lines that only this verb's help has, under a title; empty for none.</summary>
+    /// <summary>Additional lines in the help of this verb, under a title. Empty for none.</summary>
     public virtual (string Title, IReadOnlyList<string> Lines) Notes => (string.Empty, []);
 
-    /// <summary>Does it.</summary>
+    /// <summary>Runs the verb.</summary>
     /// <param name="result">A command line without errors.</param>
-    /// <param name="streams">Where to write.</param>
-    /// <param name="cancellationToken">Ctrl+C, and whatever else ends the program.</param>
+    /// <param name="streams">The streams to write to.</param>
+    /// <param name="cancellationToken">Cancelled by Ctrl+C and by anything else that ends the program.</param>
     /// <returns>The exit code.</returns>
     public abstract Task<int> RunAsync(ParseResult result, StandardStreams streams, CancellationToken cancellationToken);
 
-    /// <summary>Whether an option stands on the command line.</summary>
+    /// <summary>Whether the command line contains an option.</summary>
     public static bool IsGiven(CommandResult result, Option option) => result.GetResult(option) is { Implicit: false };
 
     protected void AddOptions(string title, params Option[] options)
@@ -54,14 +54,14 @@ internal abstract class Verb : Command
         _sections.Add((title, options));
     }
 
-    /// <summary>Says what is wrong with values that are each right by themselves.</summary>
+    /// <summary>Reports a fault of values that are valid separately but not together.</summary>
     protected async Task<int> RefuseAsync(StandardStreams streams, string fault)
     {
         await streams.ComplainAsync(UsageFault.WithHelp($"{CommandLine.Name} {Name}", fault));
         return CommandLine.BadUsage;
     }
 
-    /// <summary>Adds an error for each given option out of two that contradict each other.</summary>
+    /// <summary>Adds an error if the command line contains both of two options that exclude each other.</summary>
     public static void RejectBoth(CommandResult result, Option one, Option other)
     {
         if (IsGiven(result, one) && IsGiven(result, other))

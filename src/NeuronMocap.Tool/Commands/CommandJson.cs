@@ -5,7 +5,7 @@ using NeuronMocap.Tool.Arguments;
 
 namespace NeuronMocap.Tool.Commands;
 
-/// <summary>The answers of a command channel for a program: one JSON object, lengths in metres.</summary>
+/// <summary>The answers of a command channel as one JSON object, with lengths in metres.</summary>
 internal static class CommandJson
 {
     public static string ZeroOut(ServerAddress server, int? avatar) => Write(json =>

@@ -7,7 +7,7 @@ using NeuronMocap.Tool.Terminal;
 
 namespace NeuronMocap.Tool.Commands;
 
-/// <summary>The answers of a command channel for a person.</summary>
+/// <summary>The answers of a command channel as readable text.</summary>
 internal sealed class CommandPage(StandardStreams streams)
 {
     private const int WidestText = 110;
@@ -18,7 +18,7 @@ internal sealed class CommandPage(StandardStreams streams)
         ? $"All avatars of {server} were zeroed out."
         : Quantity.Format($"Avatar {avatar} of {server} was zeroed out."));
 
-    /// <summary>All that was asked, with a title each.</summary>
+    /// <summary>Writes all results, each with a title.</summary>
     public void Report(CommandResults results)
     {
         _page.WriteLine($"Command channel of {results.Server}", Palette.StrongStyle);
@@ -79,7 +79,7 @@ internal sealed class CommandPage(StandardStreams streams)
         yield return $"displacement {OnOff(map.Layout.HasDisplacement)}, reference {OnOff(map.Layout.HasReference)}, bone names {map.Format.Variant}";
         yield return order is null || map.Format.RotationOrder == order
             ? $"rotation order {map.Format.RotationOrder}"
-            : $"rotation order {map.Format.RotationOrder}, which is not the {order} that the server says it has";
+            : $"rotation order {map.Format.RotationOrder}, but the server reports {order}";
         yield return string.Create(CultureInfo.InvariantCulture, $"hips {map[Bone.Hips].Offset.Y:0.0} cm above the ground");
     }
 

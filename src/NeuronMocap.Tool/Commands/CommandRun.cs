@@ -8,7 +8,7 @@ using NeuronMocap.Tool.Terminal;
 
 namespace NeuronMocap.Tool.Commands;
 
-/// <summary>Asks a server's command channel, and prints what it says.</summary>
+/// <summary>Sends commands to a server's command channel and prints the answers.</summary>
 internal sealed class CommandRun(CommandSettings settings, StandardStreams streams)
 {
     public async Task<int> RunAsync(CancellationToken cancellationToken)
@@ -37,7 +37,7 @@ internal sealed class CommandRun(CommandSettings settings, StandardStreams strea
         }
         catch (IOException exception)
         {
-            // Whoever reads the output may leave when he has seen enough.
+            // The program that reads the output may close it at any time.
             return WatchOutput.IsBrokenPipe(exception)
                 ? CommandLine.Done
                 : await FailAsync(FileFault.OfStandardOutput(exception));
@@ -84,7 +84,7 @@ internal sealed class CommandRun(CommandSettings settings, StandardStreams strea
         streams.Output.Flush();
     }
 
-    // A file or a program gets the header as it is; a terminal obeys what is in it.
+    // A file or a program gets the header unchanged. A terminal would execute its control characters.
     private static string CleanLines(string text) =>
         string.Join('\n', text.Replace("\t", "    ", StringComparison.Ordinal).Split('\n').Select(static line => TerminalText.Clean(line.TrimEnd('\r'))));
 

@@ -3,10 +3,10 @@ using NeuronMocap.Tool.Arguments;
 
 namespace NeuronMocap.Tool.Commands;
 
-/// <summary>What to ask of a command channel.</summary>
+/// <summary>The commands that can be sent to a command channel.</summary>
 internal enum CommandQuestion
 {
-    /// <summary>Order, bones and header.</summary>
+    /// <summary>Rotation order, bone sizes and header.</summary>
     All,
 
     /// <summary>The rotation order.</summary>
@@ -18,28 +18,28 @@ internal enum CommandQuestion
     /// <summary>An avatar's BVH header.</summary>
     Header,
 
-    /// <summary>To zero out.</summary>
+    /// <summary>Zero out.</summary>
     ZeroOut,
 }
 
-/// <summary>What the command line asks of a command channel.</summary>
-/// <param name="Server">Where it is; null for the simulator inside this process.</param>
-/// <param name="Question">What to ask.</param>
-/// <param name="Avatar">Index of the avatar that the question is about; null for the first, and for all of them to zero out.</param>
-/// <param name="Json">Whether the answer is for a program.</param>
+/// <summary>Settings of the verb command.</summary>
+/// <param name="Server">Address of the command channel; null for the simulator inside this process.</param>
+/// <param name="Question">The command to send.</param>
+/// <param name="Avatar">Index of the avatar. Null means the first avatar, or all avatars for zero out.</param>
+/// <param name="Json">Whether to print the answer as JSON.</param>
 internal sealed record CommandSettings(ServerAddress? Server, CommandQuestion Question, int? Avatar, bool Json);
 
-/// <summary>What a command channel answered.</summary>
-/// <param name="Server">Where it is.</param>
+/// <summary>The answers of a command channel.</summary>
+/// <param name="Server">Address of the command channel.</param>
 /// <param name="Avatar">Index of the avatar.</param>
 internal sealed record CommandResults(ServerAddress Server, int Avatar)
 {
-    /// <summary>The rotation order; null where nobody asked.</summary>
+    /// <summary>The rotation order; null if it was not requested.</summary>
     public RotationOrder? Order { get; init; }
 
-    /// <summary>The sizes of the avatar's body; null where nobody asked.</summary>
+    /// <summary>The sizes of the avatar's body; null if they were not requested.</summary>
     public BoneDimensions? Sizes { get; init; }
 
-    /// <summary>The avatar's BVH header; null where nobody asked.</summary>
+    /// <summary>The avatar's BVH header; null if it was not requested.</summary>
     public string? Header { get; init; }
 }

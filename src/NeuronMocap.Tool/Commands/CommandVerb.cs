@@ -6,7 +6,7 @@ using NeuronMocap.Tool.Terminal;
 
 namespace NeuronMocap.Tool.Commands;
 
-/// <summary>neuron-mocap command: asks a server's command channel.</summary>
+/// <summary>neuron-mocap command: sends commands to a server's command channel.</summary>
 internal sealed class CommandVerb : Verb
 {
     private static readonly (string Word, CommandQuestion Question)[] Questions =
@@ -16,7 +16,7 @@ internal sealed class CommandVerb : Verb
 
     private readonly Argument<Source?> _server = new("HOST[:PORT]")
     {
-        Description = "The server whose command channel is asked, which has a port of its own, or demo for the simulator inside this program. "
+        Description = "The server, with the port of its command channel, or demo for the simulator inside this program. "
             + $"Default port: {ProtocolConstants.DefaultCommandPort}.",
         Arity = ArgumentArity.ExactlyOne,
         CustomParser = static result => ParseServer(result),
@@ -25,7 +25,7 @@ internal sealed class CommandVerb : Verb
     private readonly Argument<CommandQuestion> _question = new("order|bones|header|zero-out")
     {
         Description = "order: the rotation order. bones: the sizes of an avatar's body, in metres. header: the avatar's BVH header, as the server sends it. "
-            + "zero-out: have the server zero out. Without it: the first three, in a report.",
+            + "zero-out: zero out avatars. Default: the first three, in a report.",
         Arity = ArgumentArity.ZeroOrOne,
         CustomParser = static result => ParseQuestion(result),
     };
@@ -48,7 +48,7 @@ internal sealed class CommandVerb : Verb
 
     public override IReadOnlyList<HelpExample> Examples { get; } =
     [
-        new("command 192.168.1.20", "rotation order, bone sizes and what the BVH header says; port 8013"),
+        new("command 192.168.1.20", "rotation order, bone sizes and the contents of the BVH header; port 8013"),
         new("command 192.168.1.20 order", "the rotation order alone"),
         new("command 192.168.1.20:8014 header --avatar 1 > body.bvh", "the BVH header of the second avatar, from another port"),
         new("command 192.168.1.20 zero-out --avatar 0", "zeroes out avatar 0; without --avatar all of them"),
@@ -58,14 +58,14 @@ internal sealed class CommandVerb : Verb
     [
         (CommandLine.Done, "answered"),
         (CommandLine.NothingReceived, "not answered; standard error says why"),
-        (CommandLine.Interrupted, "ended by Ctrl+C or SIGTERM before it knew"),
+        (CommandLine.Interrupted, "ended by Ctrl+C or SIGTERM before the answer"),
     ];
 
     public override Task<int> RunAsync(ParseResult result, StandardStreams streams, CancellationToken cancellationToken) => new CommandRun(
         new CommandSettings(result.GetValue(_server)!.Server, result.GetValue(_question), result.GetValue(_avatar), result.GetValue(_json)),
         streams).RunAsync(cancellationToken);
 
-    // What TCP sources are, with another port where none is given.
+    // Accepts the forms of TCP sources, with a different default port.
     private static Source? ParseServer(ArgumentResult result)
     {
         string text = result.Tokens[0].Value;

@@ -5,7 +5,7 @@ using NeuronMocap.Tool.Terminal;
 
 namespace NeuronMocap.Tool.Completion;
 
-/// <summary>neuron-mocap completion: prints what a shell needs to complete this program's verbs and options.</summary>
+/// <summary>neuron-mocap completion: prints the script with which a shell completes this program's verbs and options.</summary>
 internal sealed class CompletionVerb : Verb
 {
     private readonly Argument<string> _shell = new("SHELL")
@@ -32,7 +32,7 @@ internal sealed class CompletionVerb : Verb
     public override IReadOnlyList<HelpExample> Examples { get; } =
     [
         new("completion bash >> ~/.bashrc", "for bash, from the next shell on"),
-        new("completion zsh >> ~/.zshrc", "for zsh, behind compinit"),
+        new("completion zsh >> ~/.zshrc", "for zsh, after compinit"),
         new("completion fish > ~/.config/fish/completions/neuron-mocap.fish", "for fish"),
         new("completion pwsh >> $PROFILE", "for PowerShell"),
     ];

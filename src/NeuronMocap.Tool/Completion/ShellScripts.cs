@@ -1,9 +1,10 @@
 namespace NeuronMocap.Tool.Completion;
 
-/// <summary>
-/// The scripts that ask this program for completions. It answers the directive [suggest:POSITION], one word a line, for the command line that follows.
-/// Where it has no answer, the shell completes names of files.
-/// </summary>
+/// <summary>The scripts with which shells ask this program for completions.</summary>
+/// <remarks>
+/// The program answers the directive [suggest:POSITION] for the command line that follows, one word a line. If it has no answer, the shell completes
+/// file names.
+/// </remarks>
 internal static class ShellScripts
 {
     private const string Bash = """
@@ -20,7 +21,7 @@ internal static class ShellScripts
 
         """;
 
-    // $words has this command alone, where $BUFFER has the whole line. PREFIX ends at the cursor.
+    // $words holds only this command, while $BUFFER holds the whole line. PREFIX ends at the cursor.
     private const string Zsh = """
         # Completion of neuron-mocap for zsh.
         _neuron_mocap() {
@@ -35,7 +36,7 @@ internal static class ShellScripts
 
         """;
 
-    // -p is this command of the line, -c what is before the cursor.
+    // -p is this command of the line, -c the text before the cursor.
     private const string Fish = """
         # Completion of neuron-mocap for fish.
         function __neuron_mocap_complete
@@ -46,7 +47,7 @@ internal static class ShellScripts
 
         """;
 
-    // The command comes without the spaces behind it, and the cursor is counted from the beginning of the line.
+    // The command comes without trailing spaces. The cursor position counts from the start of the line.
     private const string PowerShell = """
         # Completion of neuron-mocap for PowerShell.
         Register-ArgumentCompleter -Native -CommandName neuron-mocap -ScriptBlock {
@@ -63,7 +64,7 @@ internal static class ShellScripts
     /// <summary>The names of the shells.</summary>
     public static IReadOnlyList<string> Shells { get; } = ["bash", "zsh", "fish", "pwsh"];
 
-    /// <summary>The script of a shell.</summary>
+    /// <summary>Gets the script of a shell.</summary>
     public static string Of(string shell) => shell switch
     {
         "bash" => Bash,

@@ -3,7 +3,7 @@ using NeuronMocap.Tool.Files;
 
 namespace NeuronMocap.Tool.Convert;
 
-/// <summary>From a BVH file to another one, of any skeleton: what is not to change is written as it was, digit by digit.</summary>
+/// <summary>Copies a BVH file of any skeleton to another BVH file. Values that do not change are written as they were, digit by digit.</summary>
 internal static class BvhEdit
 {
     public static void Write(

@@ -5,7 +5,7 @@ using NeuronMocap.Skeleton;
 
 namespace NeuronMocap.Tool.Convert;
 
-/// <summary>A take as a BVH file.</summary>
+/// <summary>Writes a take as a BVH file.</summary>
 internal static class BvhOutput
 {
     public static void Write(

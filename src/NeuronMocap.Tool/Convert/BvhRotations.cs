@@ -3,10 +3,10 @@ using NeuronMocap.Bvh;
 
 namespace NeuronMocap.Tool.Convert;
 
-/// <summary>Rotations of joints with channels in any number and order, as any BVH file may have them.</summary>
+/// <summary>Rotations of joints with channels in any number and order, as in any BVH file.</summary>
 internal static class BvhRotations
 {
-    /// <summary>The rotation of a joint relative to its parent.</summary>
+    /// <summary>Gets the rotation of a joint relative to its parent.</summary>
     public static Quaternion Get(BvhJoint joint, ReadOnlySpan<float> row)
     {
         Quaternion rotation = Quaternion.Identity;
@@ -19,7 +19,7 @@ internal static class BvhRotations
         return rotation;
     }
 
-    /// <summary>The largest difference between two rows' angles of a joint, in degrees.</summary>
+    /// <summary>Gets the largest difference between the angles of a joint in two rows, in degrees.</summary>
     public static float LargestDifference(BvhJoint joint, ReadOnlySpan<float> before, ReadOnlySpan<float> row)
     {
         float largest = 0;

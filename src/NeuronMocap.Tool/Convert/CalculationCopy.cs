@@ -6,12 +6,12 @@ using NeuronMocap.Tool.Terminal;
 
 namespace NeuronMocap.Tool.Convert;
 
-/// <summary>Rows of calculation data, copied value by value.</summary>
+/// <summary>Copies rows of calculation data value by value.</summary>
 internal static class CalculationCopy
 {
     private const int LongestEnd = 64;
 
-    /// <summary>From an export to another one.</summary>
+    /// <summary>Copies an export to another export.</summary>
     public static void ToFile(
         FileSettings settings, TimeRange range, string output, ConversionSummary summary, IProgress<double> progress, CancellationToken cancellationToken)
     {
@@ -24,7 +24,7 @@ internal static class CalculationCopy
         Copy(reader, range, (_, values) => writer.WriteFrame(values), summary, progress, cancellationToken);
     }
 
-    /// <summary>From an export to the packets of a stream; the sink is closed.</summary>
+    /// <summary>Converts an export to the packets of a stream. Closes the sink.</summary>
     public static void ToPackets(
         FileSettings settings, TimeRange range, IPacketSink sink, ConversionSummary summary, IProgress<double> progress, CancellationToken cancellationToken)
     {
@@ -43,7 +43,7 @@ internal static class CalculationCopy
         }
     }
 
-    // What stands behind the last value, which a writer has to know before it comes there.
+    // Reads the text after the last value. A writer needs it before it reaches the end.
     private static string ReadEnd(string path)
     {
         using FileStream file = File.OpenRead(path);

@@ -3,7 +3,7 @@ using NeuronMocap.Server;
 
 namespace NeuronMocap.Tool.Convert;
 
-/// <summary>A take as a calculation export: what the sensors would have measured, in the axes of Axis Neuron's exports.</summary>
+/// <summary>Writes a take as a calculation export, with the values that sensors would have measured, in the axes of Axis Neuron's exports.</summary>
 internal static class CalculationOutput
 {
     public static void Write(MotionSource take, Stream output, IProgress<double> progress, CancellationToken cancellationToken)

@@ -4,11 +4,13 @@ using NeuronMocap.Tool.Files;
 
 namespace NeuronMocap.Tool.Convert;
 
-/// <summary>The calculation frames of one avatar of a stream as the rows of an export, value by value, with the rate that their times tell.</summary>
+/// <summary>
+/// Converts the calculation frames of one avatar to the rows of an export, value by value. The times of the frames give the rate.
+/// </summary>
 internal static class CalculationRows
 {
-    /// <summary>Writes an export, one row for each frame.</summary>
-    /// <returns>False when the stream has none of the avatar, and nothing was written.</returns>
+    /// <summary>Writes an export with one row for each frame.</summary>
+    /// <returns>False if the stream has no calculation frames of the avatar. Nothing is written then.</returns>
     public static bool TryWrite(
         FileSettings settings, TimeRange range, string output, ConversionSummary summary, IProgress<double> progress, CancellationToken cancellationToken)
     {
@@ -40,7 +42,7 @@ internal static class CalculationRows
         return true;
     }
 
-    /// <summary>The rows of an avatar whose stream has no poses; null where there are poses, or no calculation frames.</summary>
+    /// <summary>Loads the rows of an avatar whose stream has no poses. Null if it has poses or no calculation frames.</summary>
     public static (CalculationDocument Document, string AvatarName)? TryLoad(
         FileSettings settings, IProgress<double> progress, CancellationToken cancellationToken)
     {
@@ -61,7 +63,7 @@ internal static class CalculationRows
         return (CalculationDocument.Parse(text.GetBuffer().AsSpan(0, (int)text.Length), new CalculationReadOptions { FrameRate = rate }), found.AvatarName);
     }
 
-    // Which avatar, how wide its rows are, and when they came. The first avatar that has such frames, unless one is named.
+    // Finds the avatar, the width of its rows and their arrival times. Unless an avatar is named, the first avatar with such frames is used.
     private static Found? Survey(FileSettings settings, TimeRange range, IProgress<double> progress, CancellationToken cancellationToken)
     {
         Found? found = null;

@@ -4,7 +4,7 @@ using NeuronMocap.Tool.Terminal;
 
 namespace NeuronMocap.Tool.Convert;
 
-/// <summary>What convert says at its end, in one line: what the new file holds, what is missing in it, and what is doubtful.</summary>
+/// <summary>The summary of convert in one line: the contents of the new file, the data that it lacks, and warnings.</summary>
 internal sealed class ConversionSummary
 {
     private const int MaxListed = 3;
@@ -13,33 +13,33 @@ internal sealed class ConversionSummary
     private readonly List<string> _losses = [];
     private long _moreWarnings;
 
-    /// <summary>Frames of the new file.</summary>
+    /// <summary>Number of frames in the new file.</summary>
     public long Frames { get; set; }
 
-    /// <summary>Frames per second; null where the file has times of its own, or none.</summary>
+    /// <summary>Frames per second; null if the file has its own times, or no times.</summary>
     public double? FrameRate { get; set; }
 
-    /// <summary>How long it takes; null where nothing tells.</summary>
+    /// <summary>Duration in seconds; null if it is unknown.</summary>
     public double? Seconds { get; set; }
 
-    /// <summary>Places of the new file where frames are missing.</summary>
+    /// <summary>Number of gaps in the new file.</summary>
     public long Gaps { get; set; }
 
-    /// <summary>Frames that are missing there.</summary>
+    /// <summary>Number of frames missing in the gaps.</summary>
     public long MissingFrames { get; set; }
 
-    /// <summary>Frames that were interpolated instead of them.</summary>
+    /// <summary>Number of frames that were interpolated to fill gaps.</summary>
     public long InterpolatedFrames { get; set; }
 
-    /// <summary>Rows of the old file that are not in the new one, for they are none.</summary>
+    /// <summary>Number of invalid rows of the old file that are not in the new one.</summary>
     public long RowsLeftOut { get; set; }
 
     public void AddWarning(string warning) => _warnings.Add(warning.TrimEnd('.'));
 
-    /// <summary>Adds what the old file holds and the new one has no place for.</summary>
+    /// <summary>Adds data of the old file that the new one cannot hold.</summary>
     public void AddLoss(string loss) => _losses.Add(loss);
 
-    /// <summary>Adds what was wrong in a BVH file.</summary>
+    /// <summary>Adds the defects of a BVH file.</summary>
     public void AddRepairs(BvhDocument document)
     {
         RowsLeftOut += document.SkippedRowCount;
@@ -49,7 +49,7 @@ internal sealed class ConversionSummary
         _moreWarnings += document.RepairCount - document.Repairs.Count;
     }
 
-    /// <summary>Adds what was wrong in a calculation export, once it was read.</summary>
+    /// <summary>Adds the defects of a calculation export, after it was read.</summary>
     public void AddRepairs(IReadOnlyList<CalculationRepair> repairs, int count, int leftOut)
     {
         RowsLeftOut += leftOut;
@@ -59,7 +59,7 @@ internal sealed class ConversionSummary
         _moreWarnings += count - repairs.Count;
     }
 
-    /// <summary>The line.</summary>
+    /// <summary>Gets the line.</summary>
     /// <param name="name">Name of the new file.</param>
     public string Describe(string name)
     {
@@ -77,7 +77,7 @@ internal sealed class ConversionSummary
         line += $"; {Count(RowsLeftOut, "row")} left out; {Count(warnings, "warning")}";
         if (warnings > 0)
         {
-            // A warning is a sentence, which may have semicolons of its own.
+            // A warning is a sentence that may contain semicolons.
             line += ": " + (warnings == 1 ? _warnings[0] : string.Join(", ", _warnings.Take(MaxListed).Select(static (warning, index) => $"({index + 1}) {warning}")));
             if (warnings > MaxListed)
                 line += $", and {warnings - MaxListed} more, which info lists";

@@ -6,7 +6,7 @@ using NeuronMocap.Tool.Terminal;
 
 namespace NeuronMocap.Tool.Convert;
 
-/// <summary>Writes a file as another kind of file, or a part of it.</summary>
+/// <summary>Converts a file, or a part of it, to another kind of file.</summary>
 internal sealed class ConvertTool(FileSettings settings, StandardStreams streams)
 {
     private readonly TimeRange _range = new(settings.From, settings.To);
@@ -33,7 +33,7 @@ internal sealed class ConvertTool(FileSettings settings, StandardStreams streams
     {
         bool isStream = from is FileKind.Recording or FileKind.Raw;
         if (to == FileKind.Calculation && settings.RotationOrder is not null)
-            throw new NeuronException("--order: a calculation export holds no angles, which have an order.");
+            throw new NeuronException("--order: a calculation export holds no angles.");
 
         switch (to)
         {
@@ -76,7 +76,7 @@ internal sealed class ConvertTool(FileSettings settings, StandardStreams streams
             case FileKind.Calculation:
                 using (FileStream file = File.Create(path))
                     CalculationOutput.Write(motion, file, progress, cancellationToken);
-                _summary.AddLoss("the bones' rotations and lengths, of which an export has sensors and centres");
+                _summary.AddLoss("the bones' rotations and lengths (an export holds sensors and centres)");
                 break;
             default:
                 using (IPacketSink sink = OpenSink(to, path, take with { Order = order }))
@@ -159,7 +159,7 @@ internal sealed class ConvertTool(FileSettings settings, StandardStreams streams
         return new RecordingSink(CreateRecording(path, metadata));
     }
 
-    // A file says no more than when it was written.
+    // A converted file records only the time at which it was written.
     private RecordingWriter CreateRecording(string path, RecordingMetadata metadata) => RecordingWriter.Create(
         path, metadata, new RecordingWriterOptions { StartTime = new DateTimeOffset(File.GetLastWriteTimeUtc(settings.Input), TimeSpan.Zero) });
 

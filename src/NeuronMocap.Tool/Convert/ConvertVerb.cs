@@ -6,7 +6,7 @@ using NeuronMocap.Tool.Terminal;
 
 namespace NeuronMocap.Tool.Convert;
 
-/// <summary>neuron-mocap convert: writes a file as another kind of file, or a part of it.</summary>
+/// <summary>neuron-mocap convert: converts a file, or a part of it, to another kind of file.</summary>
 internal sealed class ConvertVerb : Verb
 {
     private const double LowestRate = 0.01;
@@ -18,16 +18,16 @@ internal sealed class ConvertVerb : Verb
     private readonly Option<double?> _resample = new("--resample")
     {
         HelpName = "HZ",
-        Description = $"Make this many frames per second, {LowestRate} to {HighestRate}; what lies between two frames is interpolated. Default: as many as IN has.",
+        Description = $"Frames per second to write, {LowestRate} to {HighestRate}; poses between two frames are interpolated. Default: the rate of IN.",
         CustomParser = static result => NumberArgument.Parse(result, LowestRate, HighestRate, "a number from 0.01 to 10000"),
         Arity = ArgumentArity.ExactlyOne,
     };
 
-    private readonly Option<RotationOrder?> _order = CommonOptions.Order("--order", "Order of the rotation values to write. Default: that of IN.");
+    private readonly Option<RotationOrder?> _order = CommonOptions.Order("--order", "Rotation order to write. Default: that of IN.");
 
     private readonly Option<RotationOrder?> _inputOrder = CommonOptions.Order(
         "--input-order",
-        "Of a recording or the bytes of a stream: the order that its rotation values have, where the file does not say it. Default: YXZ.");
+        "For a recording or the bytes of a stream: its rotation order, if the file does not state it. Default: YXZ.");
 
     public ConvertVerb()
         : base("convert", "Write a file as another kind of file, or a part of it. A line on standard error says what the new file holds and what it lacks.")
@@ -44,7 +44,7 @@ internal sealed class ConvertVerb : Verb
         new("convert take.nmrec take.bvh", "a recording as BVH; a file of any kind as any other"),
         new("convert a.bvh b.bvh --from 2 --to 5", "a part of a take"),
         new("convert a.bvh b.bvh --resample 60 --order XYZ", "another frame rate and another rotation order"),
-        new("convert dump.bin take.bvh --rate 60", "bytes that somebody wrote to a file, at 60 frames per second"),
+        new("convert dump.bin take.bvh --rate 60", "the raw bytes of a stream, at 60 frames per second"),
     ];
 
     public override IReadOnlyList<(int Code, string Meaning)> ExitCodes => TakeArguments.Codes;

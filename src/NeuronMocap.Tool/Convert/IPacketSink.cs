@@ -2,13 +2,13 @@ using NeuronMocap.Recording;
 
 namespace NeuronMocap.Tool.Convert;
 
-/// <summary>Takes the packets of a stream that is made from a file.</summary>
+/// <summary>Receives the packets of a stream that is created from a file.</summary>
 internal interface IPacketSink : IDisposable
 {
     void Write(TimeSpan time, ReadOnlySpan<byte> packet);
 }
 
-/// <summary>The bytes alone, one packet behind the other.</summary>
+/// <summary>Writes only the bytes, one packet after the other.</summary>
 internal sealed class RawSink(Stream stream) : IPacketSink
 {
     public void Write(TimeSpan time, ReadOnlySpan<byte> packet) => stream.Write(packet);
@@ -16,7 +16,7 @@ internal sealed class RawSink(Stream stream) : IPacketSink
     public void Dispose() => stream.Dispose();
 }
 
-/// <summary>A recording, as if the packets had come over one TCP connection.</summary>
+/// <summary>Writes a recording, as if the packets had arrived over one TCP connection.</summary>
 internal sealed class RecordingSink : IPacketSink
 {
     private readonly RecordingWriter _writer;

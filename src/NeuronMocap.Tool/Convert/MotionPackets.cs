@@ -4,7 +4,7 @@ using NeuronMocap.Skeleton;
 
 namespace NeuronMocap.Tool.Convert;
 
-/// <summary>A take as the motion packets that Axis Neuron would broadcast.</summary>
+/// <summary>Converts a take to the motion packets that Axis Neuron would broadcast.</summary>
 internal static class MotionPackets
 {
     public static void Write(
@@ -37,7 +37,7 @@ internal static class MotionPackets
     }
 }
 
-/// <summary>When a frame is due.</summary>
+/// <summary>Computes when frames are due.</summary>
 internal static class FrameTimes
 {
     public static TimeSpan Of(long frame, double rate) => TimeSpan.FromTicks((long)Math.Round(frame * (TimeSpan.TicksPerSecond / rate)));

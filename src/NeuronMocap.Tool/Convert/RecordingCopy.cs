@@ -2,17 +2,17 @@ using NeuronMocap.Recording;
 
 namespace NeuronMocap.Tool.Convert;
 
-/// <summary>Copies what a recording holds, entry by entry: all bytes as they were received, those that no packet can be made of included.</summary>
+/// <summary>Copies a recording entry by entry, with all bytes as they were received. Bytes that do not form packets are included.</summary>
 internal sealed class RecordingCopy(RecordingReader reader, TimeRange range, IProgress<double> progress, CancellationToken cancellationToken)
 {
-    // What is open in the copy: behind a damaged place a recording says again what was open, and an end may be lost there.
+    // The open connections of the copy. After a damaged place a recording repeats which connections are open, and the damage may have hidden an end.
     private readonly Dictionary<int, RecordedConnection> _open = [];
     private readonly HashSet<(int Connection, int Sender)> _senders = [];
 
-    /// <summary>Pieces of bytes that were copied.</summary>
+    /// <summary>Number of pieces of bytes that were copied.</summary>
     public long Pieces { get; private set; }
 
-    /// <summary>Copies into another recording, whose times begin where the range does.</summary>
+    /// <summary>Copies to another recording. Its times start at the start of the range.</summary>
     public void WriteTo(RecordingWriter writer)
     {
         while (TryRead(out RecordingEntry entry))
@@ -41,8 +41,8 @@ internal sealed class RecordingCopy(RecordingReader reader, TimeRange range, IPr
         }
     }
 
-    /// <summary>Copies the bytes alone.</summary>
-    /// <exception cref="NeuronException">They are of several senders over UDP, whose datagrams would be mixed.</exception>
+    /// <summary>Copies only the bytes.</summary>
+    /// <exception cref="NeuronException">The bytes came from several senders over UDP, and their datagrams would be mixed.</exception>
     public void WriteTo(Stream output)
     {
         var datagramSenders = new HashSet<(int Connection, int Sender)>();
@@ -54,7 +54,7 @@ internal sealed class RecordingCopy(RecordingReader reader, TimeRange range, IPr
             if (entry.Kind != RecordingEntryKind.Bytes)
                 continue;
             if (isUdp.Contains(entry.Connection) && datagramSenders.Add((entry.Connection, entry.Sender)) && datagramSenders.Count > 1)
-                throw new NeuronException("The recording has datagrams of several senders, which raw bytes cannot keep apart; .nmrec can.");
+                throw new NeuronException("The recording has datagrams of several senders, which raw bytes cannot keep separate; .nmrec can.");
 
             output.Write(entry.Bytes);
             Pieces++;
@@ -82,7 +82,7 @@ internal sealed class RecordingCopy(RecordingReader reader, TimeRange range, IPr
         writer.CloseConnection(time, connection, reason);
     }
 
-    // Of a connection that is open.
+    // Copies the state of an open connection.
     private void CopyState(RecordingWriter writer, TimeSpan time, in RecordingEntry entry)
     {
         var sender = (entry.Connection, entry.Sender);
@@ -102,7 +102,7 @@ internal sealed class RecordingCopy(RecordingReader reader, TimeRange range, IPr
         }
     }
 
-    // What is open and known where the range begins counts as well.
+    // Connections that are open and known at the start of the range count as well.
     private bool TryRead(out RecordingEntry entry)
     {
         while (reader.TryRead(out entry))

@@ -2,7 +2,7 @@ using NeuronMocap.Server;
 
 namespace NeuronMocap.Tool.Convert;
 
-/// <summary>When the frames of one avatar came, and how the server counted them: what tells the rate of rows that have no times.</summary>
+/// <summary>The arrival times and frame numbers of one avatar. They give the rate of rows that have no times.</summary>
 internal sealed class RowTimes
 {
     private const int LargestReduction = 60;
@@ -15,7 +15,7 @@ internal sealed class RowTimes
 
     public void Add(uint? index, TimeSpan time) => _rows.Add((index, time));
 
-    /// <summary>The rate, and where frames are missing.</summary>
+    /// <summary>Measures the rate and the gaps.</summary>
     public (double? Rate, long Gaps, long MissingFrames) Measure()
     {
         var estimate = new FrameRateEstimator();
@@ -40,7 +40,7 @@ internal sealed class RowTimes
         return (estimate.FrameRate, gaps, missing);
     }
 
-    // Null where the server counted anew.
+    // Null if the server restarted its numbers.
     private long? StepTo(int row, uint reduction)
     {
         if (_rows[row - 1].Index is not { } before || _rows[row].Index is not { } index)
@@ -50,7 +50,7 @@ internal sealed class RowTimes
         return step > 0 && step % reduction == 0 && _rows[row].Time >= _rows[row - 1].Time ? step / reduction : null;
     }
 
-    // A server may send every second or third frame only: the most common step.
+    // Finds the most common step. A server may send only every second or third frame.
     private uint FindReduction()
     {
         int[] counts = new int[LargestReduction + 1];

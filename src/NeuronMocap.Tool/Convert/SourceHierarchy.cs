@@ -5,7 +5,7 @@ using NeuronMocap.Tool.Files;
 
 namespace NeuronMocap.Tool.Convert;
 
-/// <summary>The body of a take as the HIERARCHY of a BVH file.</summary>
+/// <summary>Writes the body of a take as the HIERARCHY of a BVH file.</summary>
 internal static class SourceHierarchy
 {
     public static string GetText(InputTake take)

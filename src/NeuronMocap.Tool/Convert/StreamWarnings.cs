@@ -4,10 +4,10 @@ using NeuronMocap.Tool.Terminal;
 
 namespace NeuronMocap.Tool.Convert;
 
-/// <summary>What is doubtful about a file that holds a stream, and what of it is not in a file of poses or rows.</summary>
+/// <summary>Finds faults of a file that holds a stream, and data that a file of poses or rows cannot hold.</summary>
 internal static class StreamWarnings
 {
-    /// <summary>Looks for damage of a recording's container; raw bytes have none.</summary>
+    /// <summary>Looks for damage in the container of a recording. Raw bytes have no container.</summary>
     public static void AddDamage(ConversionSummary summary, string path, CancellationToken cancellationToken)
     {
         using RecordingReader reader = RecordingReader.Open(path);
@@ -27,7 +27,7 @@ internal static class StreamWarnings
             summary.AddWarning($"{Quantity.Bytes(lost)} arrived that were not recorded because the disk was too slow");
     }
 
-    /// <summary>Counts the frames of a file that was written, as whoever reads it will.</summary>
+    /// <summary>Counts the frames of a written file, as a reader will count them.</summary>
     public static void AddStream(ConversionSummary summary, string path, bool hasTimes, CancellationToken cancellationToken)
     {
         using RecordedFrameReader? reader = TryOpen(path);
@@ -51,11 +51,11 @@ internal static class StreamWarnings
             summary.AddLoss("times, rotation order and body: raw bytes cannot hold them; give --rate and --input-order when reading");
     }
 
-    /// <summary>Looks at what a take of one avatar leaves behind.</summary>
-    /// <param name="summary">Takes what is found.</param>
+    /// <summary>Finds the data that a take of one avatar leaves out.</summary>
+    /// <param name="summary">Receives the results.</param>
     /// <param name="settings">The input.</param>
-    /// <param name="isOf">Whether a frame is one of those that are kept.</param>
-    /// <param name="cancellationToken">Ends it.</param>
+    /// <param name="isOf">Whether a frame is kept.</param>
+    /// <param name="cancellationToken">Cancels the work.</param>
     public static void AddRest(ConversionSummary summary, FileSettings settings, Func<AvatarFrame, bool> isOf, CancellationToken cancellationToken)
     {
         using RecordedFrameReader reader = RecordedFrameReader.Open(settings.Input, settings.Playback);

@@ -5,24 +5,22 @@ using NeuronMocap.Skeleton;
 
 namespace NeuronMocap.Tool.Convert;
 
-/// <summary>
-/// A part of a take, at its own rate or another one. Frames that stand where one of the take stands have its very values; others are interpolated between
-/// two neighbours.
-/// </summary>
+/// <summary>A part of a take, at its own rate or another one.</summary>
+/// <remarks>A frame at the time of a frame of the take has the same values. Other frames are interpolated between two neighbours.</remarks>
 internal sealed class TakePart : MotionSource
 {
-    // Of a frame: a rate that is a part or a multiple of the take's meets its frames up to rounding.
+    // Tolerance in frames. If the rate divides that of the take or is a multiple of it, frames coincide up to rounding.
     private const double SameFrame = 1e-6;
 
     private readonly MotionSource _take;
     private readonly long _first;
     private readonly long _last;
 
-    /// <summary>Cuts a part out.</summary>
-    /// <param name="take">A take that ends.</param>
+    /// <summary>Creates a part of a take.</summary>
+    /// <param name="take">A take that has an end.</param>
     /// <param name="range">The part.</param>
-    /// <param name="rate">Frames per second; null for the take's own.</param>
-    /// <exception cref="NeuronException">There is no frame in it.</exception>
+    /// <param name="rate">Frames per second; null for the rate of the take.</param>
+    /// <exception cref="NeuronException">The part has no frame.</exception>
     public TakePart(MotionSource take, TimeRange range, double? rate)
     {
         _take = take;
@@ -69,7 +67,7 @@ internal sealed class TakePart : MotionSource
             base.WriteValues(frame, layout, order, values);
     }
 
-    // The take's frame at or before one of the part, and how far the next one is.
+    // Finds the take's frame at or before a frame of the part, and the distance to it as a part of a frame.
     private (long Before, float Part) Find(long frame)
     {
         double place = frame * (_take.FrameRate / FrameRate);

@@ -4,10 +4,10 @@ using NeuronMocap.Tool.Terminal;
 
 namespace NeuronMocap.Tool.Convert;
 
-/// <summary>What a file of poses tells about the take that it was made of.</summary>
+/// <summary>Warnings about the take from which a file of poses was created.</summary>
 internal static class TakeWarnings
 {
-    /// <summary>Adds how long the new file is, and what was wrong in the old one.</summary>
+    /// <summary>Adds the length of the new file and the defects of the old one.</summary>
     public static void Add(
         ConversionSummary summary, FileSettings settings, InputTake take, MotionSource written, TimeRange range, CancellationToken cancellationToken)
     {

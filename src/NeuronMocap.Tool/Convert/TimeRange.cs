@@ -2,12 +2,12 @@ using NeuronMocap.Tool.Terminal;
 
 namespace NeuronMocap.Tool.Convert;
 
-/// <summary>The part of a file that is wanted, in seconds since its beginning.</summary>
-/// <param name="From">Where it begins; null for the beginning.</param>
-/// <param name="To">Where it ends, itself not included; null for the end.</param>
+/// <summary>The requested part of a file, in seconds since its start.</summary>
+/// <param name="From">Start; null for the start of the file.</param>
+/// <param name="To">End, exclusive; null for the end of the file.</param>
 internal readonly record struct TimeRange(double? From, double? To)
 {
-    // A frame that is due at the very edge belongs where its exact time says, whatever its rounded one is.
+    // A frame at the edge is assigned by its exact time, not by its rounded time.
     private const double Tolerance = 1e-6;
 
     public bool IsAll => From is null && To is null;
@@ -16,11 +16,11 @@ internal readonly record struct TimeRange(double? From, double? To)
 
     public bool Contains(TimeSpan time) => time >= Start && (To is not { } end || time < TimeSpan.FromSeconds(end));
 
-    /// <summary>The frames of a take at an even rate that lie in the range.</summary>
+    /// <summary>Gets the frames in the range, for a take at an even rate.</summary>
     /// <param name="count">Number of frames of the take.</param>
     /// <param name="rate">Frames per second.</param>
-    /// <returns>The first frame, and how many there are.</returns>
-    /// <exception cref="NeuronException">There is none.</exception>
+    /// <returns>The first frame and the number of frames.</returns>
+    /// <exception cref="NeuronException">The range has no frame.</exception>
     public (long First, long Count) FramesOf(long count, double rate)
     {
         long first = From is { } from ? (long)Math.Ceiling((from * rate) - Tolerance) : 0;

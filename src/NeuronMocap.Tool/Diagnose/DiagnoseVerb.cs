@@ -7,17 +7,17 @@ using NeuronMocap.Tool.Watch;
 
 namespace NeuronMocap.Tool.Diagnose;
 
-/// <summary>neuron-mocap diagnose: says why nothing arrives.</summary>
+/// <summary>neuron-mocap diagnose: finds out why no frames arrive.</summary>
 internal sealed class DiagnoseVerb : Verb
 {
     private const string ThisComputer = "127.0.0.1";
     private const double Shortest = 1;
     private const double Longest = 300;
 
-    private readonly SourceArgument _source = new("What to look at", "this computer, TCP port 7001");
+    private readonly SourceArgument _source = new("What to diagnose", "this computer, TCP port 7001");
     private readonly ConnectionArguments _connection = new();
     private readonly Option<bool> _json = CommonOptions.Json("Print every step and the result as one JSON object a line.");
-    private readonly Option<bool> _quiet = new("--quiet") { Description = "Print nothing but the result, as one JSON object." };
+    private readonly Option<bool> _quiet = new("--quiet") { Description = "Print only the result, as one JSON object." };
 
     private readonly Option<TimeSpan?> _duration = new("--duration")
     {
@@ -29,12 +29,12 @@ internal sealed class DiagnoseVerb : Verb
         Arity = ArgumentArity.ExactlyOne,
     };
 
-    private readonly Option<RotationOrder?> _order = CommonOptions.Order("--order", "Order of the rotation values that the server is set to. Default: YXZ.");
+    private readonly Option<RotationOrder?> _order = CommonOptions.Order("--order", "Rotation order that the server is set to. Default: YXZ.");
 
     private readonly Option<ServerAddress?> _server = new("--server")
     {
         HelpName = "HOST",
-        Description = "With udp://: the computer that should send, to look whether it offers the stream over TCP instead. Default: this computer.",
+        Description = "With udp://: the computer that should send, to check whether it offers the stream over TCP instead. Default: this computer.",
         CustomParser = static result => ParseServer(result),
         Arity = ArgumentArity.ExactlyOne,
     };
@@ -42,7 +42,7 @@ internal sealed class DiagnoseVerb : Verb
     public DiagnoseVerb()
         : base(
             "diagnose",
-            "Look at a stream once, step by step, and say what is wrong and which setting of Axis Neuron or Axis Studio to change. It takes 10 seconds at most.")
+            "Check a stream once, step by step, and report what is wrong and which setting of Axis Neuron or Axis Studio to change. It takes 10 seconds at most.")
     {
         Add(_source);
         AddOptions("Output", _json, _quiet, _duration);
@@ -62,7 +62,7 @@ internal sealed class DiagnoseVerb : Verb
     [
         (CommandLine.Done, "frames arrive"),
         (CommandLine.NothingReceived, "a fault was found"),
-        (CommandLine.Interrupted, "ended by Ctrl+C or SIGTERM before it knew"),
+        (CommandLine.Interrupted, "ended by Ctrl+C or SIGTERM before the result"),
     ];
 
     public override async Task<int> RunAsync(ParseResult result, StandardStreams streams, CancellationToken cancellationToken)
@@ -91,7 +91,7 @@ internal sealed class DiagnoseVerb : Verb
         Source source = _source.Find(result) ?? Source.OfServer(default);
         if (source.Kind == SourceKind.File)
         {
-            result.AddError($"'{source}' is a file, and has no connection to look at; {CommandLine.Name} info {source} says what it holds.");
+            result.AddError($"'{source}' is a file and has no connection to diagnose; {CommandLine.Name} info {source} shows its contents.");
             return;
         }
 

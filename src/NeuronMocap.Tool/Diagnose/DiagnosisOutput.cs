@@ -2,10 +2,10 @@ using NeuronMocap.Diagnostics;
 
 namespace NeuronMocap.Tool.Diagnose;
 
-/// <summary>A way of showing a diagnosis. What cannot be written throws an <see cref="IOException"/>.</summary>
+/// <summary>A format of a diagnosis. Throws an <see cref="IOException"/> if writing fails.</summary>
 internal abstract class DiagnosisOutput : IProgress<DiagnosisStep>
 {
-    /// <summary>Called for every step as it ends.</summary>
+    /// <summary>Called for every step when it ends.</summary>
     public virtual void Report(DiagnosisStep value)
     {
     }

@@ -8,7 +8,7 @@ using NeuronMocap.Tool.Watch;
 
 namespace NeuronMocap.Tool.Diagnose;
 
-/// <summary>One look at the stream instead of watching it.</summary>
+/// <summary>Diagnoses the stream once.</summary>
 internal sealed class DiagnosisRun(WatchOptions options, StandardStreams streams)
 {
     public async Task<int> RunAsync(CancellationToken cancellationToken)
@@ -28,7 +28,7 @@ internal sealed class DiagnosisRun(WatchOptions options, StandardStreams streams
         }
         catch (IOException exception)
         {
-            // Whoever reads the output may leave when he has seen enough.
+            // The program that reads the output may close it at any time.
             return WatchOutput.IsBrokenPipe(exception)
                 ? CommandLine.Interrupted
                 : await FailAsync(FileFault.OfStandardOutput(exception));

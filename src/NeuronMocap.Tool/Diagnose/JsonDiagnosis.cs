@@ -3,7 +3,7 @@ using NeuronMocap.Tool.Output;
 
 namespace NeuronMocap.Tool.Diagnose;
 
-/// <summary>One JSON object for each step, unless it is to be quiet, and one for the result.</summary>
+/// <summary>Writes one JSON object for the result and, unless quiet, one for each step.</summary>
 internal sealed class JsonDiagnosis(Stream output, bool quiet) : DiagnosisOutput
 {
     private readonly JsonLines _lines = new();

@@ -5,7 +5,7 @@ using Spectre.Console;
 
 namespace NeuronMocap.Tool.Diagnose;
 
-/// <summary>Steps as they happen, then the paragraph: in colours and wrapped on a terminal, plain and unwrapped elsewhere.</summary>
+/// <summary>Writes the steps as they happen, then the result. On a terminal, the text has colours and is wrapped.</summary>
 internal sealed class TextDiagnosis(StandardStreams streams) : DiagnosisOutput
 {
     private const int WidestText = 100;
@@ -62,7 +62,7 @@ internal sealed class TextDiagnosis(StandardStreams streams) : DiagnosisOutput
             return;
         }
 
-        // A grid pads its lines to their full width.
+        // A grid pads its lines to full width.
         _console.Write(outcome);
         _console.WriteLine($"\t{name} {words}");
     }

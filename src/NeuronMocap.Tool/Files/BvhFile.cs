@@ -3,7 +3,7 @@ using NeuronMocap.Tool.Terminal;
 
 namespace NeuronMocap.Tool.Files;
 
-/// <summary>Reads BVH files with progress, and so that Ctrl+C ends it.</summary>
+/// <summary>Reads BVH files with progress. Ctrl+C cancels the reading.</summary>
 internal static class BvhFile
 {
     public static BvhDocument Load(string path, IProgress<double> progress, CancellationToken cancellationToken) =>

@@ -3,10 +3,10 @@ using NeuronMocap.Tool.Terminal;
 
 namespace NeuronMocap.Tool.Files;
 
-/// <summary>Why a file cannot be read or written, in a sentence that begins with its name, instead of the runtime's words.</summary>
+/// <summary>Describes why a file cannot be read or written. The sentence starts with the name of the file.</summary>
 internal static class FileFault
 {
-    // Numbers of the system: Linux and macOS have them in common where there is one.
+    // Error numbers of the system. Linux and macOS share the numbers that have one constant.
     private const int NotThere = 2;
     private const int DeviceMissing = 6;
     private const int NotAllowed = 13;
@@ -23,7 +23,7 @@ internal static class FileFault
     private const int WindowsIsThere = unchecked((int)0x80070050);
     private const int WindowsDiskFull = unchecked((int)0x80070070);
 
-    /// <summary>Says why a file could not be opened to read.</summary>
+    /// <summary>Describes why a file could not be opened for reading.</summary>
     public static string OfReading(Exception exception, string path) => exception switch
     {
         FileNotFoundException or DirectoryNotFoundException when Directory.Exists(path) => IsAFolder(path),
@@ -33,7 +33,7 @@ internal static class FileFault
         _ => OfSystem(exception, path) ?? $"{Quote(path)} cannot be read.",
     };
 
-    /// <summary>Says why a file could not be made or opened to write.</summary>
+    /// <summary>Describes why a file could not be created or opened for writing.</summary>
     public static string OfWriting(Exception exception, string path) => exception switch
     {
         DirectoryNotFoundException when !Directory.Exists(FolderOf(path)) => $"{Quote(FolderOf(path))}, the folder for {Quote(Path.GetFileName(path))}, does not exist.",
@@ -45,21 +45,21 @@ internal static class FileFault
         _ => OfSystem(exception, path) ?? $"{Quote(path)} cannot be written.",
     };
 
-    /// <summary>Says why standard output could not be written.</summary>
+    /// <summary>Describes why standard output could not be written.</summary>
     public static string OfStandardOutput(IOException exception) =>
         $"standard output cannot be written{(IsDiskFull(exception) ? ": the disk is full." : ".")}";
 
-    /// <summary>Whether there was no room for what was to be written.</summary>
+    /// <summary>Whether the disk is full.</summary>
     public static bool IsDiskFull(Exception exception) => exception.HResult is DiskFull or WindowsDiskFull;
 
-    /// <summary>Whether a file is there that was to be made.</summary>
+    /// <summary>Whether a file to be created already exists.</summary>
     public static bool IsExisting(Exception exception) => exception.HResult is IsThere or WindowsIsThere;
 
     private static string? OfSystem(Exception exception, string path) => exception switch
     {
         NeuronException => OptionNames.Translate(exception.Message),
 
-        // A sentence that this program or the library made.
+        // The message comes from this program or the library.
         IOException { HResult: NotOfSystem } when exception.GetType() == typeof(IOException) => exception.Message,
         PathTooLongException => TooLong(),
         ArgumentException when string.IsNullOrWhiteSpace(path) => "The name of the file is empty.",

@@ -4,28 +4,28 @@ using NeuronMocap.Recording;
 
 namespace NeuronMocap.Tool.Files;
 
-/// <summary>What a file is.</summary>
+/// <summary>The kinds of files.</summary>
 internal enum FileKind
 {
     Bvh,
     Recording,
     Calculation,
 
-    /// <summary>The bytes of a stream, without times.</summary>
+    /// <summary>The raw bytes of a stream, without times.</summary>
     Raw,
 }
 
-/// <summary>Tells what a file is: of one to read by what is in it, of one to write by its name.</summary>
+/// <summary>Determines the kind of a file: for reading by its contents, for writing by its name.</summary>
 internal static class FileKinds
 {
     private const int LookedAt = 64 * 1024;
 
     private static readonly string[] BvhWords = ["HIERARCHY", "MOTION", "CHANNELS"];
 
-    /// <summary>Looks into a file.</summary>
-    /// <exception cref="NeuronException">It is none of those that can be read.</exception>
-    /// <exception cref="IOException">It is not there, or cannot be read.</exception>
-    /// <exception cref="UnauthorizedAccessException">It may not be read.</exception>
+    /// <summary>Determines the kind of a file by its contents.</summary>
+    /// <exception cref="NeuronException">The kind of the file is not supported.</exception>
+    /// <exception cref="IOException">The file does not exist or cannot be read.</exception>
+    /// <exception cref="UnauthorizedAccessException">Access to the file is denied.</exception>
     public static FileKind Recognize(string path)
     {
         InputFile.Require(path);
@@ -41,7 +41,7 @@ internal static class FileKinds
         return FileKind.Raw;
     }
 
-    /// <summary>What a file is to become; null when its name says nothing that is known.</summary>
+    /// <summary>Determines the kind of a file to write by its name. Null if the extension is unknown.</summary>
     public static FileKind? OfName(string path) => Path.GetExtension(path).ToLowerInvariant() switch
     {
         ".bvh" => FileKind.Bvh,
@@ -58,7 +58,7 @@ internal static class FileKinds
         return start[..file.ReadAtLeast(start, start.Length, throwOnEndOfStream: false)];
     }
 
-    // A damaged file may lack its first line; one in another encoding than UTF-8 still has these words.
+    // A damaged file may lack its first line. A file in another encoding than UTF-8 still contains these words.
     private static bool IsBvh(byte[] start)
     {
         if (!IsText(start))
@@ -83,7 +83,7 @@ internal static class FileKinds
         }
     }
 
-    // What no frame is in may still be known, such as lines of text that lack something.
+    // A file without frames may still be recognized, for example as incomplete lines of text.
     private static void CheckStream(string path)
     {
         try

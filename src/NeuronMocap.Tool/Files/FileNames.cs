@@ -3,14 +3,14 @@ using System.CommandLine.Parsing;
 
 namespace NeuronMocap.Tool.Files;
 
-/// <summary>Keeps a file from getting the name of another kind of file.</summary>
+/// <summary>Checks that a file does not get the extension of another kind of file.</summary>
 internal static class FileNames
 {
-    /// <summary>Adds an error where the extension of an option's file is another one. A name without an extension is nobody's.</summary>
+    /// <summary>Adds an error if the file of an option has the wrong extension. Names without an extension are allowed.</summary>
     /// <param name="result">The command line.</param>
     /// <param name="option">An option whose only argument is a file to write.</param>
-    /// <param name="what">What is written, in words.</param>
-    /// <param name="extension">Its extension, with the dot.</param>
+    /// <param name="what">Words for the contents of the file.</param>
+    /// <param name="extension">The correct extension, with the dot.</param>
     public static void Reject(CommandResult result, Option option, string what, string extension)
     {
         if (result.GetResult(option)?.Tokens is not [{ Value: var path }] || Path.GetExtension(path) is not { Length: > 0 } given)

@@ -9,7 +9,7 @@ namespace NeuronMocap.Tool.Files;
 /// <summary>One run of info, convert or plot.</summary>
 internal sealed class FileRun(FileSettings settings, StandardStreams streams)
 {
-    // For work that looks whether it shall end; what does not, as a read from a disk that hangs, is left behind.
+    // Time-out for work that checks for cancellation. Work that does not, such as a read from a disk that hangs, is abandoned.
     private static readonly TimeSpan StopTimeout = TimeSpan.FromSeconds(2);
 
     public async Task<int> RunAsync(CancellationToken cancellationToken)
@@ -42,12 +42,12 @@ internal sealed class FileRun(FileSettings settings, StandardStreams streams)
         }
         catch (IOException exception)
         {
-            // Whoever reads the output may leave when he has seen enough.
+            // The program that reads the output may close it at any time.
             return WatchOutput.IsBrokenPipe(exception) ? CommandLine.Done : await FailAsync(Describe(exception));
         }
     }
 
-    // The input is read, and the page of info is all that goes to standard output; a file that is written has told its own fault.
+    // For info, only its page goes to standard output. A file that is written has already described its own fault.
     private string Describe(IOException exception) => settings.Task == FileTask.Info && FileFault.IsDiskFull(exception)
         ? FileFault.OfStandardOutput(exception)
         : FileFault.OfReading(exception, settings.Input);

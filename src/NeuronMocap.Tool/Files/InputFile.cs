@@ -2,10 +2,8 @@ using System.Runtime.InteropServices;
 
 namespace NeuronMocap.Tool.Files;
 
-/// <summary>
-/// The one way in for files that a command line names. Only regular files are read: a pipe or a terminal blocks for as long as nobody writes, and a
-/// device such as /dev/zero never ends.
-/// </summary>
+/// <summary>Checks all files that a command line names. Only regular files are read.</summary>
+/// <remarks>A pipe or a terminal blocks while nothing is written to it, and a device such as /dev/zero never ends.</remarks>
 internal static class InputFile
 {
     private const int CurrentFolder = -100; // AT_FDCWD
@@ -18,7 +16,7 @@ internal static class InputFile
 
     /// <summary>Checks a file before it is opened.</summary>
     /// <param name="path">The name on the command line.</param>
-    /// <exception cref="IOException">It is there and is no regular file, or has nothing in it; the message says what it is.</exception>
+    /// <exception cref="IOException">The file is not a regular file, or it is empty. The message says what it is.</exception>
     public static void Require(string path)
     {
         if (string.IsNullOrWhiteSpace(path))
@@ -26,13 +24,13 @@ internal static class InputFile
         if (FindOddKind(path) is { } kind)
             throw new IOException($"'{path}' is {kind}; only regular files are read.");
 
-        // Files of /proc have no size; some of them block.
+        // Files of /proc have no size, and some of them block.
         var file = new FileInfo(path);
         if (file is { Exists: true, Length: 0 })
             throw new IOException($"'{path}' is empty.");
     }
 
-    /// <summary>What a name stands for that is no regular file; null for a regular file, and for one that is not there.</summary>
+    /// <summary>Describes a file that is not a regular file. Null for a regular file, and for a file that does not exist.</summary>
     public static string? FindOddKind(string path)
     {
         if (Directory.Exists(path))
@@ -46,7 +44,7 @@ internal static class InputFile
         }
         catch (Exception exception) when (exception is EntryPointNotFoundException or DllNotFoundException)
         {
-            // An old C library: opening tells.
+            // The C library is too old. Opening the file will show the problem.
             return null;
         }
     }

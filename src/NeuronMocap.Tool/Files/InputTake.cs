@@ -6,24 +6,24 @@ using NeuronMocap.Tool.Convert;
 
 namespace NeuronMocap.Tool.Files;
 
-/// <summary>The performance that a file holds, and how its values are laid out there.</summary>
-/// <param name="Motion">The poses; it ends.</param>
-/// <param name="Layout">Which values a motion packet of it has.</param>
-/// <param name="Order">Order of its rotation values.</param>
-/// <param name="AvatarName">Who performs.</param>
+/// <summary>The motion in a file, and the format of its values.</summary>
+/// <param name="Motion">The poses. The motion has an end.</param>
+/// <param name="Layout">The values of its motion packets.</param>
+/// <param name="Order">Its rotation order.</param>
+/// <param name="AvatarName">Name of the avatar.</param>
 internal sealed record InputTake(MotionSource Motion, ChannelLayout Layout, RotationOrder Order, string AvatarName)
 {
     private const string UsualName = "Char00";
 
-    /// <summary>The file, where it is BVH.</summary>
+    /// <summary>The file, if it is BVH.</summary>
     public BvhDocument? Bvh { get; init; }
 
-    /// <summary>The rows, where it is calculation data.</summary>
+    /// <summary>The rows, if the file is calculation data.</summary>
     public CalculationDocument? Calculation { get; init; }
 
-    /// <summary>Reads a file.</summary>
-    /// <exception cref="NeuronException">There is no pose of the 59 bones in it.</exception>
-    /// <exception cref="IOException">It cannot be read.</exception>
+    /// <summary>Loads a file.</summary>
+    /// <exception cref="NeuronException">The file has no pose of the 59 bones.</exception>
+    /// <exception cref="IOException">The file cannot be read.</exception>
     public static InputTake Load(FileSettings settings, FileKind kind, IProgress<double> progress, CancellationToken cancellationToken) => kind switch
     {
         FileKind.Bvh => Of(BvhFile.Load(settings.Input, progress, cancellationToken)),

@@ -1,12 +1,13 @@
 
 namespace NeuronMocap.Tool.Files;
 
-/// <summary>
-/// A file that is written beside its place and comes there when it is whole: what was there before stays until then, and a run that ends early
-/// leaves nothing. Thread-safe, so that a run can be given up while a thread still writes.
-/// </summary>
-/// <param name="path">Its place.</param>
-/// <param name="overwrite">Whether a file that is there is replaced.</param>
+/// <summary>A file that is written under a temporary name and renamed when it is complete.</summary>
+/// <remarks>
+/// An existing file stays until then, and a run that ends early leaves nothing. Thread-safe, so that a run can be abandoned while a thread still
+/// writes.
+/// </remarks>
+/// <param name="path">The final path.</param>
+/// <param name="overwrite">Whether an existing file is replaced.</param>
 internal sealed class OutputFile(string path, bool overwrite) : IDisposable
 {
     private readonly Lock _lock = new();
@@ -14,10 +15,10 @@ internal sealed class OutputFile(string path, bool overwrite) : IDisposable
     private bool _isGivenUp;
     private bool _isBegun;
 
-    /// <summary>Writes the file and puts it into its place.</summary>
-    /// <param name="write">Writes a file at the path that it is given, and closes it.</param>
-    /// <exception cref="IOException">The file is there already and must not be replaced, or cannot be written.</exception>
-    /// <exception cref="OperationCanceledException">The run was given up.</exception>
+    /// <summary>Writes the file and moves it to its final path.</summary>
+    /// <param name="write">Writes a file at the path that it receives, and closes it.</param>
+    /// <exception cref="IOException">The file exists and must not be replaced, or it cannot be written.</exception>
+    /// <exception cref="OperationCanceledException">The run was abandoned.</exception>
     public void Write(Action<string> write)
     {
         Check();
@@ -33,7 +34,7 @@ internal sealed class OutputFile(string path, bool overwrite) : IDisposable
         }
         catch (Exception exception) when (exception is IOException or UnauthorizedAccessException && exception.Message.Contains(TemporaryName, StringComparison.Ordinal))
         {
-            // A name that nobody gave would only puzzle.
+            // The message names the final path, because users do not know the temporary name.
             throw new IOException(FileFault.OfWriting(exception, path), exception);
         }
         finally
@@ -42,7 +43,7 @@ internal sealed class OutputFile(string path, bool overwrite) : IDisposable
         }
     }
 
-    /// <summary>Gives up what is not in its place.</summary>
+    /// <summary>Deletes the temporary file if the file is not complete.</summary>
     public void Dispose()
     {
         lock (_lock)

@@ -3,15 +3,15 @@ using System.CommandLine.Parsing;
 
 namespace NeuronMocap.Tool.Files;
 
-/// <summary>Finds options that would write over each other's file, or over the one that is played.</summary>
+/// <summary>Finds options that would overwrite each other's file, or the file that is played.</summary>
 internal static class SameFile
 {
     private static readonly StringComparison Comparison =
         OperatingSystem.IsWindows() || OperatingSystem.IsMacOS() ? StringComparison.OrdinalIgnoreCase : StringComparison.Ordinal;
 
-    /// <summary>Adds an error where two words of a command line name one file.</summary>
+    /// <summary>Adds an error if two arguments of a command line name the same file.</summary>
     /// <param name="result">The command line.</param>
-    /// <param name="input">The name of an argument, and the file that it names; null for none.</param>
+    /// <param name="input">The name of an argument and its file; null for none.</param>
     /// <param name="options">Options whose only argument is a file.</param>
     public static void Reject(CommandResult result, (string Argument, string Path)? input, params Option[] options)
     {

@@ -5,7 +5,7 @@ using NeuronMocap.Tool.Arguments;
 
 namespace NeuronMocap.Tool.Files;
 
-/// <summary>The arguments of verbs that make a file of another one.</summary>
+/// <summary>The arguments of verbs that create a file from another file.</summary>
 internal sealed class TakeArguments
 {
     private readonly Argument<string> _input = new("IN")
@@ -15,19 +15,19 @@ internal sealed class TakeArguments
     };
 
     private readonly Argument<string> _output;
-    private readonly Option<double?> _from = CommonOptions.Time("--from", "Begin at this time of the take.");
+    private readonly Option<double?> _from = CommonOptions.Time("--from", "Start at this time of the take.");
     private readonly Option<double?> _to = CommonOptions.Time("--to", "End at this time of the take.");
     private readonly Option<bool> _overwrite = CommonOptions.Overwrite("the file");
     private readonly Option<double?> _rate = CommonOptions.Rate();
-    private readonly Option<int?> _avatar = CommonOptions.Avatar("Of a recording: the avatar to take, by its number, from 0. Default: the first.");
+    private readonly Option<int?> _avatar = CommonOptions.Avatar("For a recording: number of the avatar, from 0. Default: the first.");
 
-    /// <summary>Makes the arguments.</summary>
-    /// <param name="outputName">What the help calls the file to write.</param>
-    /// <param name="outputDescription">What it is.</param>
+    /// <summary>Creates the arguments.</summary>
+    /// <param name="outputName">Name of the output file in the help.</param>
+    /// <param name="outputDescription">Description of the output file.</param>
     public TakeArguments(string outputName, string outputDescription) =>
         _output = new Argument<string>(outputName) { Description = outputDescription, Arity = ArgumentArity.ExactlyOne };
 
-    /// <summary>What the exit codes mean.</summary>
+    /// <summary>The meaning of the exit codes.</summary>
     public static IReadOnlyList<(int Code, string Meaning)> Codes { get; } =
     [
         (CommandLine.Done, "done"),
@@ -39,14 +39,14 @@ internal sealed class TakeArguments
 
     public Option[] Options => [_from, _to, _avatar, _rate, _overwrite];
 
-    /// <summary>The file to write; null when it is missing, which the parser tells.</summary>
+    /// <summary>Gets the file to write. Null if it is missing, which the parser reports.</summary>
     public string? FindOutput(CommandResult result) => result.GetResult(_output) is { Tokens: [var output] } ? output.Value : null;
 
-    /// <summary>Adds an error where the times say nothing.</summary>
+    /// <summary>Adds an error if the end is not later than the start.</summary>
     public void RejectContradictions(CommandResult result)
     {
         if (TimeOf(result, _from) >= TimeOf(result, _to))
-            result.AddError("--from: the end, --to, is not later.");
+            result.AddError("--to must be later than --from.");
     }
 
     public FileSettings Read(ParseResult result, FileTask task) => new(task, result.GetValue(_input)!, result.GetValue(_output))
@@ -58,7 +58,7 @@ internal sealed class TakeArguments
         Overwrite = result.GetValue(_overwrite),
     };
 
-    // Null where it is wrong, which the parser tells.
+    // Null if the value is wrong, which the parser reports.
     private static double? TimeOf(CommandResult result, Option<double?> option) =>
         result.GetResult(option) is { Tokens: [var time] } && double.TryParse(time.Value, NumberStyles.AllowDecimalPoint, CultureInfo.InvariantCulture, out double seconds)
             ? seconds

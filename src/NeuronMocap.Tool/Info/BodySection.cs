@@ -5,7 +5,7 @@ using NeuronMocap.Tool.Terminal;
 
 namespace NeuronMocap.Tool.Info;
 
-/// <summary>The section about the sizes of the body: centimetres for a person, metres for a program, as the command channel has them.</summary>
+/// <summary>The section about the sizes of the body: centimetres in text, metres in JSON, as on the command channel.</summary>
 internal static class BodySection
 {
     private const float SmallestDifference = 0.05f; // cm

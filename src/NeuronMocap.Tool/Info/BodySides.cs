@@ -4,10 +4,10 @@ using NeuronMocap.Skeleton;
 
 namespace NeuronMocap.Tool.Info;
 
-/// <summary>The twelve sizes of a body, each side on its own.</summary>
-/// <param name="Mean">The sizes of both sides together.</param>
-/// <param name="Left">Those of a body with two left sides.</param>
-/// <param name="Right">Those of a body with two right sides.</param>
+/// <summary>The twelve sizes of a body, for each side separately.</summary>
+/// <param name="Mean">The mean sizes of both sides.</param>
+/// <param name="Left">The sizes of a body with two left sides.</param>
+/// <param name="Right">The sizes of a body with two right sides.</param>
 internal readonly record struct BodySides(BoneDimensions Mean, BoneDimensions Left, BoneDimensions Right)
 {
     public static BodySides Measure(MotionSource source)

@@ -9,7 +9,7 @@ using NeuronMocap.Tool.Terminal;
 
 namespace NeuronMocap.Tool.Info;
 
-/// <summary>--info of a BVH file.</summary>
+/// <summary>The report of info about a BVH file.</summary>
 internal sealed class BvhInspection(string path, IProgress<double> progress)
 {
     private const int MaxListed = 6;
@@ -61,7 +61,7 @@ internal sealed class BvhInspection(string path, IProgress<double> progress)
         double declared = 1 / document.DeclaredFrameTime;
         return Math.Abs(declared - document.FrameRate) < document.FrameRate * 1e-6
             ? rate + Quantity.Format($": the file says {document.DeclaredFrameTime:0.#########} s")
-            : rate + Quantity.Format($": the file says {document.DeclaredFrameTime:0.#########} s, which is {document.FrameTime.Numerator}/{document.FrameTime.Denominator} s rounded ({declared:0.##} Hz at its word)");
+            : rate + Quantity.Format($": the file says {document.DeclaredFrameTime:0.#########} s, which is {document.FrameTime.Numerator}/{document.FrameTime.Denominator} s rounded ({declared:0.##} Hz as stated)");
     }
 
     private static void AddSkeleton(InfoReport report, BvhDocument document, BvhSkeletonMap? map, string? reason)

@@ -7,7 +7,7 @@ using NeuronMocap.Tool.Terminal;
 
 namespace NeuronMocap.Tool.Info;
 
-/// <summary>--info of a calculation export.</summary>
+/// <summary>The report of info about a calculation export.</summary>
 internal sealed class CalculationInspection(FileSettings settings, IProgress<double> progress)
 {
     private const int LeftContact = CalculationFrame.BodyValueCount - 2;
@@ -74,12 +74,12 @@ internal sealed class CalculationInspection(FileSettings settings, IProgress<dou
         if (settings.InputRate is not null)
             return rate + ": as --rate says";
 
-        return rate + (reader.DeclaredFrameRate is null ? ", assumed: the export does not say; --rate gives another one" : ": as the header of the file says");
+        return rate + (reader.DeclaredFrameRate is null ? ", assumed: the export does not say; --rate sets another one" : ": as the header of the file says");
     }
 
     private static string Describe(CalculationTextFormat format) => string.Create(
         System.Globalization.CultureInfo.InvariantCulture,
-        $"{format.Decimals} decimals, {(format.Separator is "\t" ? "tabs" : "blanks")} between them, {(format.Header.Length > 0 ? $"{format.Header.Length} bytes above the rows" : "no header")}");
+        $"{format.Decimals} decimals, {(format.Separator is "\t" ? "tabs" : "blanks")} between them, {(format.Header.Length > 0 ? $"{format.Header.Length} bytes before the rows" : "no header")}");
 
     private (long Left, long Right) Scan(CalculationFileReader reader, InfoSection oddities, CancellationToken cancellationToken)
     {

@@ -4,7 +4,7 @@ using NeuronMocap.Tool.Terminal;
 
 namespace NeuronMocap.Tool.Info;
 
-/// <summary>A report for a program: one JSON object in one line.</summary>
+/// <summary>A report as one JSON object in one line.</summary>
 internal static class InfoJson
 {
     private static readonly JsonSerializerOptions Options = new() { Encoder = TerminalText.JsonEncoder };
@@ -29,7 +29,7 @@ internal static class InfoJson
 
     private static JsonArray Items(InfoSection section) => [.. section.Items.Select(static item => Finite(item.Json))];
 
-    // A copy in which what is no number, as of a take that holds none, is null: JSON has no word for it.
+    // Copies a node and replaces values that are not finite numbers by null. JSON cannot express them.
     private static JsonNode? Finite(JsonNode? node) => node switch
     {
         JsonObject json => new JsonObject(json.Select(static member => KeyValuePair.Create(member.Key, Finite(member.Value)))),

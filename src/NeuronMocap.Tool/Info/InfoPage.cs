@@ -2,7 +2,7 @@ using NeuronMocap.Tool.Terminal;
 
 namespace NeuronMocap.Tool.Info;
 
-/// <summary>A report for a person.</summary>
+/// <summary>A report as readable text.</summary>
 internal sealed class InfoPage(StandardStreams streams)
 {
     private const int WidestText = 110;
@@ -11,8 +11,8 @@ internal sealed class InfoPage(StandardStreams streams)
     private readonly TextPage _page = new(streams, WidestText);
 
     /// <summary>Writes a report.</summary>
-    /// <param name="report">What to say.</param>
-    /// <param name="followsAnother">Whether there is a report above it.</param>
+    /// <param name="report">The report.</param>
+    /// <param name="followsAnother">Whether another report precedes it.</param>
     public void Write(InfoReport report, bool followsAnother)
     {
         if (followsAnother)

@@ -2,10 +2,10 @@ using System.Text.Json.Nodes;
 
 namespace NeuronMocap.Tool.Info;
 
-/// <summary>What info says about a file, for a person and for a program alike.</summary>
+/// <summary>The report of info about a file, for text and JSON.</summary>
 /// <param name="file">Name of the file.</param>
-/// <param name="kind">One word for the kind of file, for a program.</param>
-/// <param name="summary">What it is, in a line.</param>
+/// <param name="kind">One word for the kind of the file, for JSON.</param>
+/// <param name="summary">A summary in one line.</param>
 internal sealed class InfoReport(string file, string kind, string summary)
 {
     private readonly List<InfoSection> _sections = [];
@@ -18,7 +18,7 @@ internal sealed class InfoReport(string file, string kind, string summary)
 
     public IReadOnlyList<InfoSection> Sections => _sections;
 
-    /// <summary>Adds a section; the name is that of its JSON member.</summary>
+    /// <summary>Adds a section. The name is that of its JSON member.</summary>
     public InfoSection Section(string name, string title)
     {
         var section = new InfoSection(name, title);
@@ -27,7 +27,7 @@ internal sealed class InfoReport(string file, string kind, string summary)
     }
 }
 
-/// <summary>Facts that belong together, or several things of a kind.</summary>
+/// <summary>A section of a report: related facts, or a list of similar items.</summary>
 internal sealed class InfoSection(string name, string title)
 {
     private readonly List<InfoFact> _facts = [];
@@ -45,9 +45,9 @@ internal sealed class InfoSection(string name, string title)
 
     /// <summary>Adds a fact.</summary>
     /// <param name="name">Name of its JSON member.</param>
-    /// <param name="label">What a person calls it; empty to continue the fact before it.</param>
-    /// <param name="text">What a person reads; null for a fact that only programs get.</param>
-    /// <param name="value">What a program reads; null when there is none.</param>
+    /// <param name="label">Label in the text. Empty to continue the previous fact.</param>
+    /// <param name="text">The text; null for a fact that only JSON contains.</param>
+    /// <param name="value">The JSON value; null for none.</param>
     public InfoSection Add(string name, string label, string? text, JsonNode? value)
     {
         _facts.Add(new InfoFact(name, label, text, value));
@@ -59,9 +59,9 @@ internal sealed class InfoSection(string name, string title)
     public InfoSection Add(string name, string label, string? text, double value) =>
         Add(name, label, text, double.IsFinite(value) ? JsonValue.Create(Math.Round(value, 6)) : null);
 
-    /// <summary>Adds something that was found.</summary>
-    /// <param name="code">A word for a program.</param>
-    /// <param name="text">What a person reads.</param>
+    /// <summary>Adds a finding.</summary>
+    /// <param name="code">A word for JSON.</param>
+    /// <param name="text">The text.</param>
     /// <param name="line">Line of the file, from 1; 0 for none.</param>
     /// <param name="column">Byte of that line, from 1; 0 for none.</param>
     public void Remark(string code, string text, int line = 0, int column = 0)
@@ -81,12 +81,12 @@ internal sealed class InfoSection(string name, string title)
         Item(place + text, json);
     }
 
-    /// <summary>Adds one of several things of a kind.</summary>
+    /// <summary>Adds an item of a list.</summary>
     public void Item(string text, JsonObject json) => _items.Add(new InfoItem(text, json));
 }
 
 /// <summary>One line of a section: see <see cref="InfoSection.Add(string, string, string?, JsonNode?)"/>.</summary>
 internal readonly record struct InfoFact(string Name, string Label, string? Text, JsonNode? Value);
 
-/// <summary>One of several things of a kind, for a person and for a program.</summary>
+/// <summary>An item of a list, as text and as JSON.</summary>
 internal readonly record struct InfoItem(string Text, JsonObject Json);

@@ -4,7 +4,7 @@ using NeuronMocap.Tool.Terminal;
 
 namespace NeuronMocap.Tool.Info;
 
-/// <summary>Says what a file holds.</summary>
+/// <summary>Describes the contents of a file.</summary>
 internal sealed class InfoTool(FileSettings settings, StandardStreams streams)
 {
     public void Run(CancellationToken cancellationToken)

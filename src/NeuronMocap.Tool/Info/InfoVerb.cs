@@ -5,7 +5,7 @@ using NeuronMocap.Tool.Terminal;
 
 namespace NeuronMocap.Tool.Info;
 
-/// <summary>neuron-mocap info: says what files hold.</summary>
+/// <summary>neuron-mocap info: describes the contents of files.</summary>
 internal sealed class InfoVerb : Verb
 {
     private readonly Argument<string[]> _files = new("FILE")
@@ -16,13 +16,13 @@ internal sealed class InfoVerb : Verb
 
     private readonly Option<bool> _json = CommonOptions.Json("Print one JSON object a line, one line for each file.");
     private readonly Option<double?> _rate = CommonOptions.Rate();
-    private readonly Option<int?> _avatar = CommonOptions.Avatar("Of a recording: the avatar to look at, by its number, from 0. Default: the first.");
+    private readonly Option<int?> _avatar = CommonOptions.Avatar("For a recording: number of the avatar, from 0. Default: the first.");
 
     private readonly Option<RotationOrder?> _order = CommonOptions.Order(
-        "--order", "Of a recording or the bytes of a stream: the order that its rotation values have, where the file does not say it. Default: YXZ.");
+        "--order", "For a recording or the bytes of a stream: its rotation order, if the file does not state it. Default: YXZ.");
 
     public InfoVerb()
-        : base("info", "Say what files hold and what is odd about them.")
+        : base("info", "Show the contents of files and what is unusual about them.")
     {
         Add(_files);
         AddOptions("Options", _json, _rate, _avatar, _order);
@@ -30,9 +30,9 @@ internal sealed class InfoVerb : Verb
 
     public override IReadOnlyList<HelpExample> Examples { get; } =
     [
-        new("info take.bvh", "joints, frames, and what is odd about them"),
+        new("info take.bvh", "joints, frames, and what is unusual about them"),
         new("info *.nmrec --json", "a line for another program for each recording"),
-        new("info dump.bin --rate 60", "bytes that somebody wrote to a file, at 60 frames per second"),
+        new("info dump.bin --rate 60", "the raw bytes of a stream, at 60 frames per second"),
     ];
 
     public override IReadOnlyList<(int Code, string Meaning)> ExitCodes { get; } =

@@ -5,7 +5,7 @@ using NeuronMocap.Tool.Terminal;
 
 namespace NeuronMocap.Tool.Info;
 
-/// <summary>The section about the way of the body through the room.</summary>
+/// <summary>The section about the root motion of the body.</summary>
 internal static class MotionSection
 {
     public static void Add(InfoReport report, PointMotion motion, TakeCurves curves)
@@ -42,7 +42,7 @@ internal static class MotionSection
         if (!motion.Roles.HasFeet)
             return;
 
-        section.Add("ground", "ground", Quantity.Format($"{Plain(curves.Ground * unit):0.000} {name}: the lowest that a foot comes to"), curves.Ground * unit);
+        section.Add("ground", "ground", Quantity.Format($"{Plain(curves.Ground * unit):0.000} {name}: the lowest position of a foot"), curves.Ground * unit);
         if (curves.LeftContacts is not { } left || curves.RightContacts is not { } right)
             return;
 
@@ -59,7 +59,7 @@ internal static class MotionSection
             });
     }
 
-    // Without a minus before zero.
+    // Avoids a minus sign before zero.
     private static double Plain(double value) => Math.Abs(value) < 0.005 && Math.Round(value, 3) == 0 ? 0 : value;
 
     private static double Known(float speed) => float.IsFinite(speed) ? speed : 0;

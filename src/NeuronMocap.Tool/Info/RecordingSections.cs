@@ -4,12 +4,12 @@ using NeuronMocap.Tool.Terminal;
 
 namespace NeuronMocap.Tool.Info;
 
-/// <summary>What the container of a recording says: when, whence, what is damaged.</summary>
+/// <summary>The sections about the container of a recording: its time, connections and damage.</summary>
 internal static class RecordingSections
 {
     private const int LongestValue = 120;
 
-    // A file can hold millions of connections and senders, and nobody reads that many.
+    // A file can hold millions of connections and senders. A list that long is useless.
     private const int MaxEvents = 1000;
 
     public static void Add(InfoReport report, string path, long size, IProgress<double> progress, CancellationToken cancellationToken)

@@ -4,13 +4,18 @@ using NeuronMocap.Tool.Convert;
 
 namespace NeuronMocap.Tool.Info;
 
-/// <summary>The values of a frame.</summary>
+/// <summary>Gets the values of a frame.</summary>
 internal delegate ReadOnlySpan<float> RowReader(int frame);
 
-/// <summary>
-/// What is odd about the rows of a take: values that are no numbers, columns that never change, neighbours that tell nearly the same rotation by
-/// quite different angles, a first frame at rest that the take then jumps away from.
-/// </summary>
+/// <summary>Finds anomalies in the rows of a take.</summary>
+/// <remarks>
+/// <list type="bullet">
+/// <item>values that are not finite numbers</item>
+/// <item>columns that never change</item>
+/// <item>flips: neighbouring frames with nearly the same rotation but very different angles</item>
+/// <item>a first frame in the rest pose, followed by a jump</item>
+/// </list>
+/// </remarks>
 internal sealed class RowScan
 {
     private const float Flip = 90;
@@ -36,29 +41,31 @@ internal sealed class RowScan
     /// <summary>Number of values that are not finite.</summary>
     public long NotNumbers { get; private set; }
 
-    /// <summary>The first frame with such a value.</summary>
+    /// <summary>The first frame with a value that is not finite.</summary>
     public int FirstNotNumber { get; private set; } = -1;
 
-    /// <summary>Number of columns whose value is the same in every frame.</summary>
+    /// <summary>Number of columns with the same value in every frame.</summary>
     public int ConstantColumns => _changes.Count(static changes => !changes);
 
-    /// <summary>Times that a joint's angles jumped by more than 90 degrees from one frame to the next, and its rotation by less than 30.</summary>
+    /// <summary>
+    /// Number of flips. In a flip, the angles of a joint change by more than 90 degrees from one frame to the next. Its rotation changes by less than 30.
+    /// </summary>
     public long Flips => _flips.Sum(static count => (long)count);
 
     /// <summary>The frame after the first flip.</summary>
     public int FirstFlip { get; private set; } = -1;
 
-    /// <summary>Joints with flips, those with most first.</summary>
+    /// <summary>Joints with flips, in descending order of their number.</summary>
     public IEnumerable<(BvhJoint Joint, int Count)> FlippingJoints =>
         _joints.Zip(_flips).Where(static pair => pair.Second > 0).OrderByDescending(static pair => pair.Second);
 
-    /// <summary>The largest rotation of a joint from one frame to the next, in degrees, and where.</summary>
+    /// <summary>The largest rotation of a joint from one frame to the next, in degrees, with its joint and frame.</summary>
     public (float Degrees, BvhJoint? Joint, int Frame) LargestStep { get; private set; }
 
-    /// <summary>Whether the first frame has every joint unturned and the second one does not.</summary>
+    /// <summary>Whether all joints are unrotated in the first frame but not in the second.</summary>
     public bool StartsAtRest { get; private set; }
 
-    /// <summary>Goes through all rows.</summary>
+    /// <summary>Scans all rows.</summary>
     public static RowScan Run(IEnumerable<BvhJoint> joints, int channels, int frames, RowReader rows, CancellationToken cancellationToken)
     {
         var scan = new RowScan(joints, channels);
@@ -76,7 +83,7 @@ internal sealed class RowScan
         return scan;
     }
 
-    // Returns the largest rotation since the frame before.
+    // Returns the largest rotation since the previous frame.
     private float Take(int frame, ReadOnlySpan<float> row, ReadOnlySpan<float> before)
     {
         TakeValues(frame, row);
@@ -109,7 +116,7 @@ internal sealed class RowScan
 
         for (int column = 0; column < row.Length; column++)
         {
-            // Minus zero is zero: Axis Neuron writes both.
+            // Minus zero equals zero. Axis Neuron writes both.
             if (row[column] != _first[column])
                 _changes[column] = true;
             if (float.IsFinite(row[column]))

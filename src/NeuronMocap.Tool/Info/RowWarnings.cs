@@ -3,7 +3,7 @@ using NeuronMocap.Tool.Terminal;
 
 namespace NeuronMocap.Tool.Info;
 
-/// <summary>What a <see cref="RowScan"/> found, in words.</summary>
+/// <summary>Describes the findings of a <see cref="RowScan"/>.</summary>
 internal static class RowWarnings
 {
     private const float RemarkableStep = 45;
@@ -14,7 +14,7 @@ internal static class RowWarnings
         if (scan.NotNumbers > 0)
             section.Remark("notNumbers", Quantity.Format($"{scan.NotNumbers:#,0} values are not finite numbers, the first in frame {scan.FirstNotNumber}"));
         if (scan.StartsAtRest)
-            section.Remark("restPose", "the first frame is the rest pose, a T, and the take jumps away from it: leave it out when the motion counts");
+            section.Remark("restPose", "the first frame is the rest pose, a T-pose, and the next one jumps: leave it out if you measure the motion");
         if (scan.Flips > 0)
         {
             (BvhJoint Joint, int Count)[] joints = [.. scan.FlippingJoints];

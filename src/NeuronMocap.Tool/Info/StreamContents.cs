@@ -5,7 +5,7 @@ using NeuronMocap.Tool.Terminal;
 
 namespace NeuronMocap.Tool.Info;
 
-/// <summary>The frames of a stream by avatar, and what is no frame.</summary>
+/// <summary>The frames of a stream by avatar, and the bytes that are not frames.</summary>
 internal sealed class StreamContents
 {
     private readonly Dictionary<(PacketKind Kind, int Source, int Avatar), Frames> _frames = [];
@@ -141,7 +141,7 @@ internal sealed class StreamContents
         });
     }
 
-    // Those of one avatar and kind.
+    // The frames of one avatar and kind.
     private sealed class Frames
     {
         private TimeSpan _first;

@@ -7,7 +7,7 @@ using NeuronMocap.Tool.Terminal;
 
 namespace NeuronMocap.Tool.Info;
 
-/// <summary>--info of a recording, and of the raw bytes of a stream.</summary>
+/// <summary>The report of info about a recording or the raw bytes of a stream.</summary>
 internal sealed class StreamInspection(FileSettings settings, bool isRecording, IProgress<double> progress)
 {
     public InfoReport Run(CancellationToken cancellationToken)
@@ -84,7 +84,7 @@ internal sealed class StreamInspection(FileSettings settings, bool isRecording, 
     {
         string rate = Quantity.Format($"{source.FrameRate:0.###} Hz");
         if (!isRecording)
-            return rate + (settings.InputRate is null ? ": of the timecodes, or assumed; --rate gives another one" : ": as --rate says");
+            return rate + (settings.InputRate is null ? ": from the timecodes, or assumed; --rate sets another one" : ": as --rate says");
 
         return source.MeasuredFrameRate is { } measured
             ? rate + Quantity.Format($": {measured:0.00} by the times of arrival")

@@ -2,12 +2,12 @@ using System.Diagnostics;
 
 namespace NeuronMocap.Tool.Output;
 
-/// <summary>The times of the lines of --json: seconds since the start on a clock that never jumps, and the same instant of the calendar.</summary>
+/// <summary>The times in the lines of --json: seconds since the start on a steady clock, and the same instant in UTC.</summary>
 /// <param name="start">The start, in ticks of <see cref="Stopwatch"/>.</param>
 /// <param name="utc">The same instant, in UTC.</param>
 internal sealed class JsonClock(long start, DateTime utc)
 {
-    /// <summary>Begins now.</summary>
+    /// <summary>Creates a clock that starts now.</summary>
     public JsonClock()
         : this(Stopwatch.GetTimestamp(), DateTime.UtcNow)
     {
@@ -15,9 +15,9 @@ internal sealed class JsonClock(long start, DateTime utc)
 
     public long Start => start;
 
-    /// <summary>Seconds from the start to an instant; what happened before it is 0.</summary>
+    /// <summary>Gets the seconds from the start to an instant. Earlier instants give 0.</summary>
     public double SecondsTo(long timestamp) => Math.Max(Stopwatch.GetElapsedTime(start, timestamp).TotalSeconds, 0);
 
-    /// <summary>The instant in UTC. A clock that somebody sets meanwhile does not change it.</summary>
+    /// <summary>Gets an instant in UTC. Changes of the system clock do not affect it.</summary>
     public DateTime UtcOf(long timestamp) => utc.AddSeconds(SecondsTo(timestamp));
 }

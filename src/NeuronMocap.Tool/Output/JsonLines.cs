@@ -9,10 +9,11 @@ using NeuronMocap.Tool.Arguments;
 
 namespace NeuronMocap.Tool.Output;
 
-/// <summary>
-/// Makes the lines of --json, which docs/reference/json.md describes, each in the same buffer: what a method returns is valid until the next call. A frame's
-/// line allocates nothing once the buffer has grown to its size. One thread at a time.
-/// </summary>
+/// <summary>Writes the lines of --json, which docs/reference/json.md describes.</summary>
+/// <remarks>
+/// All lines share one buffer: the result of a method is valid until the next call. A line for a frame allocates nothing once the buffer is large
+/// enough. Not thread-safe.
+/// </remarks>
 [SuppressMessage("Design", "CA1001", Justification = "The writer holds nothing but the buffer.")]
 internal sealed class JsonLines
 {
@@ -30,7 +31,7 @@ internal sealed class JsonLines
 
     public JsonLines(JsonClock clock) => (_clock, _json) = (clock, new Utf8JsonWriter(_buffer));
 
-    /// <summary>The first line: which program this is, and what it receives from.</summary>
+    /// <summary>Writes the first line: the program and its source.</summary>
     public ReadOnlySpan<byte> Start(string source)
     {
         Begin("start"u8);
@@ -41,7 +42,7 @@ internal sealed class JsonLines
         return End();
     }
 
-    /// <summary>What the frames of an avatar hold from here on.</summary>
+    /// <summary>Describes the frames of an avatar from here on.</summary>
     public ReadOnlySpan<byte> Skeleton(MotionFrame frame)
     {
         Begin("skeleton"u8);
@@ -86,7 +87,10 @@ internal sealed class JsonLines
         return End();
     }
 
-    /// <summary>Of the 59 bones the 20 numbers of each, and which of them have lost their sensor; of another layout all there is, as numbers.</summary>
+    /// <summary>
+    /// Writes a frame of Axis Studio: 20 numbers for each of the 59 bones, and the bones that have lost their sensor. Other layouts are written as
+    /// plain numbers.
+    /// </summary>
     public ReadOnlySpan<byte> StudioCalculation(StudioCalculationFrame frame)
     {
         Begin("studioCalculation"u8);
@@ -202,7 +206,7 @@ internal sealed class JsonLines
             _json.WriteNull("index"u8);
     }
 
-    // Behind what was there first: the beginning of a line stays as scripts know it.
+    // Appended after the older members, because scripts rely on the start of a line.
     private void WriteOrigin(AvatarFrame frame)
     {
         _json.WriteNumber("sender"u8, frame.Sender);

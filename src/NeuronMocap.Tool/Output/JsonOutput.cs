@@ -1,12 +1,10 @@
 namespace NeuronMocap.Tool.Output;
 
-/// <summary>
-/// --json: every frame, written on the receive thread. While the output takes no more, nothing is received, and over TCP the server waits:
-/// no frame is left out.
-/// </summary>
+/// <summary>--json: writes every frame on the receive thread.</summary>
+/// <remarks>While the output is blocked, nothing is received, and over TCP the server waits. No frame is left out.</remarks>
 internal sealed class JsonOutput : WatchOutput
 {
-    // The reader has waited already for a line that nobody takes.
+    // The summary gets little time: the reader has already waited for a line that was not read.
     private static readonly TimeSpan SummaryTimeout = TimeSpan.FromSeconds(0.5);
 
     private readonly Lock _lock = new();
@@ -16,9 +14,9 @@ internal sealed class JsonOutput : WatchOutput
     private readonly TaskCompletionSource _broken = new(TaskCreationOptions.RunContinuationsAsynchronously);
     private bool _closed;
 
-    /// <summary>Begins with the first line; times count from here.</summary>
-    /// <param name="output">Takes the lines.</param>
-    /// <param name="source">What is received from, as the command line names it.</param>
+    /// <summary>Writes the first line. Times count from here.</summary>
+    /// <param name="output">The stream to write to.</param>
+    /// <param name="source">The source, as the command line names it.</param>
     public JsonOutput(Stream output, string source)
     {
         _output = output;

@@ -5,7 +5,7 @@ using System.Text.Json;
 
 namespace NeuronMocap.Tool.Output;
 
-/// <summary>Writes what lines of --json hold and the writer itself has no method for. Numbers and timecodes allocate nothing.</summary>
+/// <summary>Writes values of --json for which the writer has no method. Numbers and timecodes allocate nothing.</summary>
 internal static class JsonValues
 {
     private static readonly JsonEncodedText NotANumber = JsonEncodedText.Encode("NaN");
@@ -56,7 +56,7 @@ internal static class JsonValues
             json.WriteStringValue(float.IsNaN(value) ? NotANumber : value > 0 ? PositiveInfinity : NegativeInfinity);
     }
 
-    // As Timecode.ToString, without its string.
+    // Does the same as Timecode.ToString, without allocating a string.
     private static int FormatTimecode(Timecode time, Span<byte> text)
     {
         int length = 0;

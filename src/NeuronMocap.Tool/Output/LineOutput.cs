@@ -4,7 +4,7 @@ using NeuronMocap.Tool.Terminal;
 
 namespace NeuronMocap.Tool.Output;
 
-/// <summary>For a log file or a pipe: one plain line a second.</summary>
+/// <summary>Writes one plain line a second, for a log file or a pipe.</summary>
 internal sealed class LineOutput(NeuronReader reader, Stream output) : WatchOutput
 {
     private static readonly TimeSpan Period = TimeSpan.FromSeconds(1);
@@ -45,7 +45,7 @@ internal sealed class LineOutput(NeuronReader reader, Stream output) : WatchOutp
         $"{statistics.MotionFrames} motion and {statistics.CalculationFrames + statistics.StudioCalculationFrames} calculation frames in {statistics.Duration.TotalSeconds:0.0} s; "
         + $"lost {statistics.Lost}, dropped {statistics.Dropped}, skipped {statistics.BytesSkipped} bytes.");
 
-    // A server without timecode has none in the next line either.
+    // If a server stops sending timecodes, the next line has none.
     private void TakeTimecodes(LatestFrames latest, IReadOnlyList<AvatarStatistics> avatars)
     {
         foreach (AvatarStatistics avatar in avatars)
@@ -85,7 +85,7 @@ internal sealed class LineOutput(NeuronReader reader, Stream output) : WatchOutp
     private string TimecodeOf(AvatarStatistics avatar) =>
         avatar.Kind == PacketKind.Motion && _timecodes.GetValueOrDefault(avatar.AvatarIndex) is { } timecode ? $" timecode {timecode}" : string.Empty;
 
-    // Lines come from the timer and from whoever tells of a failure.
+    // Lines come from the timer and from the thread that reports a failure.
     private void WriteLine(string line)
     {
         lock (_lock)

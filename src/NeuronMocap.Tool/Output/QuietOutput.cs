@@ -1,9 +1,9 @@
 namespace NeuronMocap.Tool.Output;
 
-/// <summary>--quiet: the summary alone.</summary>
+/// <summary>--quiet: writes only the summary.</summary>
 internal sealed class QuietOutput(Stream output) : WatchOutput
 {
-    // Its clock runs from here.
+    // Its clock starts here.
     private readonly JsonLines _lines = new();
 
     public override void Finish(ReaderStatistics statistics)

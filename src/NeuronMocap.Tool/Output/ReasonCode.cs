@@ -1,6 +1,6 @@
 namespace NeuronMocap.Tool.Output;
 
-/// <summary>The names of reasons that scripts may rely on, whatever the members are called.</summary>
+/// <summary>The names of reasons for scripts. They stay the same when members are renamed.</summary>
 internal static class ReasonCode
 {
     public static string Of(ConnectionReason reason) => reason switch

@@ -2,15 +2,15 @@ using NeuronMocap.Skeleton;
 
 namespace NeuronMocap.Tool.Output;
 
-/// <summary>The skeleton that was written last for each avatar, so that only a change is written again.</summary>
+/// <summary>Remembers the last written skeleton of each avatar, so that only changes are written again.</summary>
 internal sealed class SkeletonChanges
 {
-    // As many avatars as a reader counts. Beyond that, skeletons are written again instead of taking memory.
+    // The same number of avatars as a reader counts. Skeletons of further avatars are written again, which limits the memory.
     private const int MaxAvatars = 1024;
 
     private readonly Dictionary<(int Sender, int Avatar), (SkeletonFormat Format, int ValueCount)> _reported = [];
 
-    /// <summary>Whether the skeleton of a frame's avatar must be written before the frame; from then on it counts as written.</summary>
+    /// <summary>Whether the skeleton of a frame's avatar must be written before the frame. If so, it then counts as written.</summary>
     public bool IsNew(MotionFrame frame)
     {
         (int Sender, int Avatar) key = (frame.Sender, frame.AvatarIndex);

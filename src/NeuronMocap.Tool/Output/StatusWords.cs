@@ -3,9 +3,9 @@ using NeuronMocap.Tool.Terminal;
 
 namespace NeuronMocap.Tool.Output;
 
-/// <summary>A status as this program says it.</summary>
+/// <summary>Describes a status in the words of this program.</summary>
 internal static class StatusWords
 {
-    /// <summary>One or two sentences, fit for a terminal, that name options of this program.</summary>
+    /// <summary>Describes a status in one or two sentences that are safe for a terminal and name options of this program.</summary>
     public static string Describe(this ConnectionStatus status) => TerminalText.Clean(OptionNames.Translate(status.Message ?? string.Empty));
 }

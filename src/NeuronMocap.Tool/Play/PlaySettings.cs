@@ -4,16 +4,16 @@ using NeuronMocap.Tool.Terminal;
 
 namespace NeuronMocap.Tool.Play;
 
-/// <summary>A file to show instead of a server's stream.</summary>
+/// <summary>Settings for the playback of a file.</summary>
 /// <param name="File">A recording, or bytes without times.</param>
-/// <param name="Speed">How many times as fast as it was recorded.</param>
-/// <param name="FrameRate">Frames per second of bytes without times; null where the file shall tell.</param>
-/// <param name="Loop">Whether it starts again at its end.</param>
+/// <param name="Speed">Speed relative to the recording.</param>
+/// <param name="FrameRate">Frames per second of bytes without times; null for the rate that the file states.</param>
+/// <param name="Loop">Whether the playback restarts at the end of the file.</param>
 internal sealed record PlaySettings(string File, double Speed, double? FrameRate, bool Loop)
 {
     /// <summary>Opens the file.</summary>
-    /// <param name="order">What the command line says about the rotation order.</param>
-    /// <exception cref="PlayException">It cannot be played.</exception>
+    /// <param name="order">The rotation order of the command line, or null.</param>
+    /// <exception cref="PlayException">The file cannot be played.</exception>
     public RecordingPlayer Open(RotationOrder? order)
     {
         try
@@ -26,7 +26,7 @@ internal sealed record PlaySettings(string File, double Speed, double? FrameRate
         }
         catch (ArgumentException) when (FrameRate is not null)
         {
-            throw new PlayException($"--rate: {TerminalText.Clean(File)} has times of its own; --speed makes it faster or slower.");
+            throw new PlayException($"--rate: {TerminalText.Clean(File)} has its own times; --speed changes its speed.");
         }
         catch (Exception exception) when (exception is NeuronException or IOException or UnauthorizedAccessException or ArgumentException)
         {
@@ -35,7 +35,7 @@ internal sealed record PlaySettings(string File, double Speed, double? FrameRate
         }
     }
 
-    // The library says what it is, and no more.
+    // The library only names the kind of the file.
     private bool IsOtherTake(Exception exception)
     {
         try
@@ -49,5 +49,5 @@ internal sealed record PlaySettings(string File, double Speed, double? FrameRate
     }
 }
 
-/// <summary>The file cannot be shown; the message says why.</summary>
+/// <summary>The exception for a file that cannot be played. The message says why.</summary>
 internal sealed class PlayException(string message) : Exception(message);

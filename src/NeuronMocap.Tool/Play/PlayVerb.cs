@@ -8,19 +8,19 @@ using NeuronMocap.Tool.Watch.Export;
 
 namespace NeuronMocap.Tool.Play;
 
-/// <summary>neuron-mocap play: shows a file as if it arrived now.</summary>
+/// <summary>neuron-mocap play: plays a file as if it arrived now.</summary>
 internal sealed class PlayVerb : Verb
 {
     private readonly Argument<string> _file = new("FILE")
     {
-        Description = "A recording (.nmrec), or the bytes of a stream that somebody wrote to a file.",
+        Description = "A recording (.nmrec), or a file with the raw bytes of a stream.",
         Arity = ArgumentArity.ExactlyOne,
     };
 
     private readonly PlaybackArguments _playback = new();
     private readonly OutputArguments _output = new();
     private readonly Option<RotationOrder?> _order = CommonOptions.Order(
-        "--order", "Order of the rotation values, where the file does not say it. Default: what the file says, or YXZ.");
+        "--order", "Rotation order, if the file does not state it. Default: the order that the file states, or YXZ.");
 
     private readonly Option<bool> _overwrite = CommonOptions.Overwrite("the file of --export");
     private readonly ExportArguments _export = new();
@@ -38,8 +38,8 @@ internal sealed class PlayVerb : Verb
     public override IReadOnlyList<HelpExample> Examples { get; } =
     [
         new("play take.nmrec --speed 0.5", "half as fast"),
-        new("play take.nmrec --loop", "again and again"),
-        new("play dump.bin --rate 60 --json", "frames of bytes that somebody wrote to a file, for another program"),
+        new("play take.nmrec --loop", "in a loop"),
+        new("play dump.bin --rate 60 --json", "frames from raw bytes, for another program"),
         new("play take.nmrec --speed max --quiet", "how many frames it has, and whether some are lost"),
     ];
 

@@ -5,13 +5,13 @@ using NeuronMocap.Tool.Arguments;
 
 namespace NeuronMocap.Tool.Play;
 
-/// <summary>The options of a file that is shown as if it arrived now.</summary>
+/// <summary>The options of a playback.</summary>
 internal sealed class PlaybackArguments
 {
     public Option<double?> Speed { get; } = new("--speed")
     {
         HelpName = "N|max",
-        Description = "How many times as fast as it was recorded, 0.01 to 100, or max: as fast as it can be shown, with nothing left out. Default: 1.",
+        Description = "Speed relative to the recording, 0.01 to 100, or max: as fast as possible, with no frame left out. Default: 1.",
         CustomParser = static result => string.Equals(result.Tokens[0].Value, "max", StringComparison.OrdinalIgnoreCase)
             ? RecordingPlayer.MaxSpeed
             : NumberArgument.Parse(result, 0.01, 100, "a number from 0.01 to 100, or max"),
@@ -24,11 +24,11 @@ internal sealed class PlaybackArguments
 
     public Option[] All => [Speed, Rate, Loop];
 
-    /// <summary>Adds an error for every option that is given, because the source is no file.</summary>
+    /// <summary>Adds an error for every given option, because the source is not a file.</summary>
     public void Reject(CommandResult result)
     {
         foreach (Option option in All.Where(option => Verb.IsGiven(result, option)))
-            result.AddError($"{option.Name} needs a file as the source: a live stream comes as it comes.");
+            result.AddError($"{option.Name} needs a file as the source: a live stream cannot be controlled.");
     }
 
     public PlaySettings Read(ParseResult result, string file) =>

@@ -2,7 +2,7 @@ using NeuronMocap.Recording;
 
 namespace NeuronMocap.Tool.Play;
 
-/// <summary>The keys of the live view that move a playback.</summary>
+/// <summary>The keys of the live view that control a playback.</summary>
 internal static class PlaybackKeys
 {
     private const double Slowest = 0.01;
@@ -10,7 +10,7 @@ internal static class PlaybackKeys
 
     private static readonly TimeSpan Jump = TimeSpan.FromSeconds(5);
 
-    /// <summary>The keys, and what they do.</summary>
+    /// <summary>The keys and their effects.</summary>
     public static (string Name, string Meaning)[] Entries { get; } =
     [
         ("space", "pause or resume the playback"),
@@ -20,10 +20,10 @@ internal static class PlaybackKeys
         ("0", "play at the speed of the recording"),
     ];
 
-    /// <summary>Does what a key asks for.</summary>
+    /// <summary>Handles a key.</summary>
     /// <param name="player">The playback.</param>
     /// <param name="key">The key.</param>
-    /// <returns>Whether the key is one of a playback.</returns>
+    /// <returns>Whether the key controls a playback.</returns>
     public static bool TryHandle(RecordingPlayer player, ConsoleKeyInfo key)
     {
         switch (key)
@@ -60,12 +60,12 @@ internal static class PlaybackKeys
         }
     }
 
-    /// <summary>The keys in a few words, for the line below the view.</summary>
+    /// <summary>Gets short descriptions of the keys, for the line below the view.</summary>
     /// <param name="isPaused">Whether the playback is paused.</param>
     public static (string Name, string Meaning)[] Hints(bool isPaused) =>
         [("space", isPaused ? "resume" : "pause"), (", .", "step"), ("← →", "5 s"), ("+ - 0", "speed")];
 
-    /// <summary>"0:12.3 of 1:03.2, 2x", or "0:12.345 of 1:03.2, paused", so that a step of one frame shows.</summary>
+    /// <summary>Formats "0:12.3 of 1:03.2, 2x", or "0:12.345 of 1:03.2, paused". The additional digits show a step of one frame.</summary>
     /// <param name="player">The playback.</param>
     public static string Describe(RecordingPlayer player)
     {

@@ -3,18 +3,18 @@ using NeuronMocap.Tool.Terminal;
 
 namespace NeuronMocap.Tool.Plot;
 
-/// <summary>Round numbers along an axis: 1, 2 or 5 times a power of ten apart.</summary>
+/// <summary>Round numbers along an axis. The step is 1, 2 or 5 times a power of ten.</summary>
 internal static class AxisTicks
 {
-    // No axis is long enough for more.
+    // No axis has room for more.
     private const int MaxTicks = 100;
 
     private const double LargestPlainLabel = 1e7;
 
-    // Longer than a TimeSpan is where a file has absurd frame times.
+    // Files with absurd frame times can last longer than a TimeSpan can hold.
     private const double LongestClockTime = 1e9;
 
-    /// <summary>Finds the smallest round step of which no more than a number fit into a range.</summary>
+    /// <summary>Finds the smallest round step with at most a given number of ticks in a range.</summary>
     public static double Step(double range, int most)
     {
         double raw = range / Math.Max(most, 1);
@@ -32,7 +32,7 @@ internal static class AxisTicks
         return step * power;
     }
 
-    /// <summary>The same for seconds, where 15, 30 and 60 are the round numbers.</summary>
+    /// <summary>Finds the step for seconds. Here 15, 30 and 60 are round numbers, too.</summary>
     public static double StepOfTime(double seconds, int most)
     {
         ReadOnlySpan<double> usual = [15, 30, 60, 120, 300, 600, 900, 1800, 3600, 7200, 14400, 21600, 43200, 86400];
@@ -49,7 +49,7 @@ internal static class AxisTicks
         return step;
     }
 
-    /// <summary>The multiples of a step in a range; none where the range is so far from zero that its ends are one number.</summary>
+    /// <summary>Gets the multiples of a step in a range. Empty if the range is so far from zero that its ends are the same number.</summary>
     public static IEnumerable<double> Between(double from, double to, double step)
     {
         double first = Math.Ceiling((from / step) - 1e-6);
@@ -61,7 +61,7 @@ internal static class AxisTicks
             yield return (first + i) * step;
     }
 
-    /// <summary>A number of an axis, with as many decimals as its step has.</summary>
+    /// <summary>Formats a number of an axis with as many decimals as its step.</summary>
     public static string Label(double value, double step)
     {
         if (Math.Max(Math.Abs(value), step) >= LargestPlainLabel)
@@ -72,7 +72,7 @@ internal static class AxisTicks
         return Math.Abs(rounded).ToString($"F{decimals}", CultureInfo.InvariantCulture) is var text && rounded < 0 ? "−" + text : text;
     }
 
-    /// <summary>Seconds as they stand under a time axis: 12.5, or 2:30 and 1:02:30 where the step is a part of minutes.</summary>
+    /// <summary>Formats seconds for a time axis: 12.5, or 2:30 and 1:02:30 if the step divides minutes.</summary>
     public static string TimeLabel(double seconds, double step)
     {
         if (step <= 10 || seconds > LongestClockTime)

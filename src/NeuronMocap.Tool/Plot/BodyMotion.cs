@@ -5,19 +5,19 @@ using NeuronMocap.Tool.Watch.Live;
 
 namespace NeuronMocap.Tool.Plot;
 
-/// <summary>The 59 bones of a take, and where the outermost ones end. One thread at a time.</summary>
+/// <summary>The 59 bones of a take, and the ends of the outermost bones. Not thread-safe.</summary>
 internal sealed class BodyMotion : PointMotion
 {
     private readonly MotionSource _source;
     private readonly BoneTransform[] _world = new BoneTransform[BoneHierarchy.BoneCount];
     private readonly SkeletonBody _body;
 
-    /// <summary>Makes the points of a take.</summary>
-    /// <param name="source">A performance that ends.</param>
+    /// <summary>Creates the points of a take.</summary>
+    /// <param name="source">A source that has an end.</param>
     public BodyMotion(MotionSource source)
     {
         _source = source;
-        FrameCount = source.FrameCount ?? throw new ArgumentException("A performance without end cannot be drawn.", nameof(source));
+        FrameCount = source.FrameCount ?? throw new ArgumentException("The source must have an end.", nameof(source));
         Vector3[] offsets = new Vector3[BoneHierarchy.BoneCount];
         Vector3[] endSites = new Vector3[BoneHierarchy.BoneCount];
         source.GetBody(offsets, endSites);

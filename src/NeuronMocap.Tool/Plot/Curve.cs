@@ -1,9 +1,10 @@
 namespace NeuronMocap.Tool.Plot;
 
-/// <summary>
-/// A value over time, for a chart: of each of some hundred stretches of time the lowest and the highest value are kept, in their order, so that no
-/// peak is lost and a take of hours costs no more than one of minutes.
-/// </summary>
+/// <summary>A value over time, for a chart.</summary>
+/// <remarks>
+/// The curve divides the time into some hundred stretches and keeps the lowest and highest value of each, in their order. No peak is lost, and the
+/// size does not depend on the length of the take.
+/// </remarks>
 internal sealed class Curve
 {
     private readonly Extremes[] _stretches;
@@ -20,7 +21,7 @@ internal sealed class Curve
 
     public float Highest { get; private set; } = float.NaN;
 
-    /// <summary>Takes the value of a frame; one that is not a number leaves a hole.</summary>
+    /// <summary>Adds the value of a frame. A value that is not a number leaves a hole.</summary>
     public void Add(long frame, float value)
     {
         if (!float.IsFinite(value))
@@ -35,7 +36,7 @@ internal sealed class Curve
             (stretch.HighFrame, stretch.High) = (frame, value);
     }
 
-    /// <summary>What is left of the values, in the order of their frames; null where there is a hole.</summary>
+    /// <summary>Gets the kept values in the order of their frames; null for a hole.</summary>
     public IEnumerable<(long Frame, float Value)?> Points()
     {
         foreach (Extremes stretch in _stretches)

@@ -2,10 +2,8 @@ using System.Numerics;
 
 namespace NeuronMocap.Tool.Plot;
 
-/// <summary>
-/// The way of the hips over the ground, seen from above, with the feet's places. X grows to the right and Z downwards, so that the viewer of the
-/// front pictures stands below it.
-/// </summary>
+/// <summary>The path of the hips over the ground, seen from above, with the positions of the feet.</summary>
+/// <remarks>X points right and Z down, so the viewer of the front pictures stands below the map.</remarks>
 internal sealed class GroundMap(PointMotion motion, IReadOnlyList<SampledPose> poses, TakeCurves curves)
 {
     private const double MarginShare = 0.08;
@@ -53,7 +51,7 @@ internal sealed class GroundMap(PointMotion motion, IReadOnlyList<SampledPose> p
         if (left > right)
             (left, right, top, bottom) = (0, 0, 0, 0);
 
-        // A person who stands is not magnified until the sway fills the map.
+        // If the person stands still, the map is not magnified until the sway fills it.
         double least = motion.IsInCentimetres ? 100 : Math.Max(1e-3, Height());
         double width = Math.Max(least, (right - left) * (1 + (2 * MarginShare)));
         double height = Math.Max(least, (bottom - top) * (1 + (2 * MarginShare)));
@@ -104,7 +102,7 @@ internal sealed class GroundMap(PointMotion motion, IReadOnlyList<SampledPose> p
             .Select(step => (step.Place, color));
     }
 
-    // An arrowhead shows where the body faces, at the times of the skeletons; the first is hollow.
+    // An arrowhead shows the facing direction at the time of each skeleton. The first arrowhead is hollow.
     private void DrawMoments(SvgDrawing svg, View view)
     {
         for (int i = poses.Count - 1; i >= 0; i--)

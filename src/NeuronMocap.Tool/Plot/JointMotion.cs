@@ -5,10 +5,8 @@ using NeuronMocap.Tool.Watch.Live;
 
 namespace NeuronMocap.Tool.Plot;
 
-/// <summary>
-/// The joints and End Sites of any BVH file, for those that are not the 59 bones. Left, right, feet and hands are told by the joints' names. One
-/// thread at a time.
-/// </summary>
+/// <summary>The joints and End Sites of any BVH file whose skeleton is not the 59 bones.</summary>
+/// <remarks>The names of the joints identify left, right, feet and hands. Not thread-safe.</remarks>
 internal sealed class JointMotion : PointMotion
 {
     private readonly BvhDocument _document;
@@ -16,7 +14,7 @@ internal sealed class JointMotion : PointMotion
     private readonly WireframeLine[] _lines;
     private readonly (int Joint, Vector3 End)[] _ends;
 
-    /// <summary>Makes the points of a file.</summary>
+    /// <summary>Creates the points of a file.</summary>
     /// <param name="document">A file with at least one frame.</param>
     public JointMotion(BvhDocument document)
     {
@@ -68,7 +66,7 @@ internal sealed class JointMotion : PointMotion
 
     public override FootContacts? GetContacts(long frame) => null;
 
-    // A position channel replaces that part of the OFFSET.
+    // A position channel replaces that component of the OFFSET.
     private static Matrix4x4 GetLocal(BvhJoint joint, ReadOnlySpan<float> row)
     {
         Vector3 position = joint.Offset;
@@ -84,7 +82,7 @@ internal sealed class JointMotion : PointMotion
     private int? Find(BodyPart part, Func<string, bool> isIt) =>
         _document.Joints.FirstOrDefault(joint => JointNames.PartOf(joint.Name) == part && isIt(joint.Name))?.Index;
 
-    // The ankle or foot, and whatever hangs from it.
+    // Finds the ankle or foot, and all points below it in the hierarchy.
     private int[] FindFoot(BodyPart part)
     {
         if (Find(part, JointNames.IsFoot) is not { } foot)

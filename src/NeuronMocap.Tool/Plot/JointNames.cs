@@ -2,7 +2,7 @@ using NeuronMocap.Tool.Watch.Live;
 
 namespace NeuronMocap.Tool.Plot;
 
-/// <summary>What the names of joints in the field's BVH files tell about them: LeftFoot, lfoot, foot_L, l_ankle, LHand.</summary>
+/// <summary>Interprets common joint names of BVH files: LeftFoot, lfoot, foot_L, l_ankle, LHand.</summary>
 internal static class JointNames
 {
     public static BodyPart PartOf(string name)
@@ -23,7 +23,7 @@ internal static class JointNames
 
     private static bool Contains(string name, string part) => name.Contains(part, StringComparison.OrdinalIgnoreCase);
 
-    // An initial counts where what follows shows that it is one: lFoot, LFoot, l_foot, foot_l, foot.R; but not "lowerback" or "root".
+    // An initial counts only if the following text shows that it is one: lFoot, LFoot, l_foot, foot_l, foot.R. "lowerback" and "root" have none.
     private static bool HasInitial(string name, char initial)
     {
         if (name.Length < 2)

@@ -2,10 +2,11 @@ using NeuronMocap.Tool.Watch.Live;
 
 namespace NeuronMocap.Tool.Plot;
 
-/// <summary>
-/// The colours and sizes of the drawing. Left is blue and right is vermilion, of the palette of Okabe and Ito, which nearly everyone tells apart;
-/// they differ in lightness, too, for a print in grey.
-/// </summary>
+/// <summary>The colours and sizes of the drawing.</summary>
+/// <remarks>
+/// Left is blue and right is vermilion, from the palette of Okabe and Ito. Nearly everyone can distinguish them, and their lightness differs for
+/// printing in grey.
+/// </remarks>
 internal static class PlotTheme
 {
     public const string Left = "#0072b2";

@@ -5,7 +5,7 @@ using NeuronMocap.Tool.Terminal;
 
 namespace NeuronMocap.Tool.Plot;
 
-/// <summary>Draws a file.</summary>
+/// <summary>Draws a plot of a file.</summary>
 internal sealed class PlotTool(FileSettings settings, StandardStreams streams)
 {
     public void Run(OutputFile output, CancellationToken cancellationToken)
@@ -30,7 +30,7 @@ internal sealed class PlotTool(FileSettings settings, StandardStreams streams)
         {
             BvhDocument document = BvhFile.Load(settings.Input, progress, cancellationToken);
             if (document.FrameCount == 0)
-                throw new NeuronException("The file holds a skeleton and no frames.");
+                throw new NeuronException("The file holds a skeleton but no frames.");
             if (!range.IsAll)
             {
                 (long first, long count) = range.FramesOf(document.FrameCount, document.FrameRate);

@@ -6,7 +6,7 @@ using NeuronMocap.Tool.Terminal;
 
 namespace NeuronMocap.Tool.Plot;
 
-/// <summary>neuron-mocap plot: draws a file.</summary>
+/// <summary>neuron-mocap plot: draws a plot of a file.</summary>
 internal sealed class PlotVerb : Verb
 {
     private const string Extension = ".svg";
@@ -14,10 +14,10 @@ internal sealed class PlotVerb : Verb
     private readonly TakeArguments _take = new("OUT.svg", "The picture to write.");
 
     private readonly Option<RotationOrder?> _order = CommonOptions.Order(
-        "--order", "Of a recording or the bytes of a stream: the order that its rotation values have, where the file does not say it. Default: YXZ.");
+        "--order", "For a recording or the bytes of a stream: its rotation order, if the file does not state it. Default: YXZ.");
 
     public PlotVerb()
-        : base("plot", "Draw a file as a picture. It shows skeletons at regular times, the way over the ground, heights of the feet and speeds.")
+        : base("plot", "Draw a file as a picture. It shows skeletons at regular times, the path over the ground, heights of the feet and speeds.")
     {
         foreach (Argument file in _take.Files)
             Add(file);

@@ -3,40 +3,40 @@ using NeuronMocap.Tool.Watch.Live;
 
 namespace NeuronMocap.Tool.Plot;
 
-/// <summary>A take as points that move and lines between them, which is all that is drawn of it. Y is up.</summary>
+/// <summary>A take as moving points and lines between them. The drawing uses only these. Y is up.</summary>
 internal abstract class PointMotion
 {
     public abstract double FrameRate { get; }
 
-    /// <summary>At least 1.</summary>
+    /// <summary>Number of frames, at least 1.</summary>
     public abstract long FrameCount { get; }
 
     public abstract int PointCount { get; }
 
     public abstract ReadOnlySpan<WireframeLine> Lines { get; }
 
-    /// <summary>Which points are whose.</summary>
+    /// <summary>The points with a special role.</summary>
     public abstract PointRoles Roles { get; }
 
-    /// <summary>Whether lengths are centimetres; if not, nobody knows their unit.</summary>
+    /// <summary>Whether lengths are in centimetres. If not, their unit is unknown.</summary>
     public abstract bool IsInCentimetres { get; }
 
     public double Duration => FrameCount / FrameRate;
 
-    /// <summary>Writes where the points are in the world.</summary>
+    /// <summary>Writes the positions of the points in the world.</summary>
     /// <param name="frame">Number of the frame, from 0.</param>
-    /// <param name="points">Room for <see cref="PointCount"/> points; a coordinate may be not a number where the file's value is.</param>
+    /// <param name="points">Room for <see cref="PointCount"/> points. A coordinate is not a number if the file's value is not.</param>
     public abstract void GetPoints(long frame, Span<Vector3> points);
 
-    /// <summary>Which feet are on the ground; null when that is not known.</summary>
+    /// <summary>Gets which feet are on the ground. Null if that is unknown.</summary>
     /// <param name="frame">Number of the frame, from 0.</param>
     public abstract FootContacts? GetContacts(long frame);
 }
 
-/// <summary>Which points of a take are whose; null where there is no such one.</summary>
+/// <summary>The points of a take with a special role. Null for a role without a point.</summary>
 internal sealed record PointRoles
 {
-    /// <summary>The hips, or whatever the others hang from.</summary>
+    /// <summary>The hips, or the root of the other points.</summary>
     public int Root { get; init; }
 
     /// <summary>The point at the top of the head, which is drawn as a circle.</summary>
@@ -51,7 +51,7 @@ internal sealed record PointRoles
 
     public int? RightHand { get; init; }
 
-    /// <summary>The left thigh's joint: with the right one's it tells where the body faces.</summary>
+    /// <summary>The joint of the left thigh. Together with the right one it gives the facing direction.</summary>
     public int? LeftThigh { get; init; }
 
     public int? RightThigh { get; init; }

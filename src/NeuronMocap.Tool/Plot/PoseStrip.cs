@@ -3,7 +3,9 @@ using NeuronMocap.Tool.Watch.Live;
 
 namespace NeuronMocap.Tool.Plot;
 
-/// <summary>The rows of skeletons: each time seen from the front and from the side, all in one scale, with the hips in the middle of their cell.</summary>
+/// <summary>
+/// The rows of skeletons. Each pose is seen from the front and from the side, at the same scale, with the hips in the middle of the cell.
+/// </summary>
 internal sealed class PoseStrip(PointMotion motion, IReadOnlyList<SampledPose> poses, float ground)
 {
     private const double Padding = 6;
@@ -14,15 +16,15 @@ internal sealed class PoseStrip(PointMotion motion, IReadOnlyList<SampledPose> p
     private const int MaxHeights = 8;
     private const double UsualHeightStep = 50; // cm
 
-    // Of the height of the body: fingers are shorter than this, limbs longer.
+    // As a part of the body height. Fingers are shorter than this, and limbs are longer.
     private const double FinePart = 0.065;
 
     private readonly double _height = Math.Max(MinSize, HeightsOf(poses, ground).Append(0).Max());
 
     /// <summary>Draws the two rows.</summary>
     /// <param name="svg">The picture.</param>
-    /// <param name="front">The place of the upper one.</param>
-    /// <param name="side">The place of the lower one, of the same size.</param>
+    /// <param name="front">Position of the upper row.</param>
+    /// <param name="side">Position of the lower row, with the same size.</param>
     public void Draw(SvgDrawing svg, Box front, Box side)
     {
         double cell = front.Width / poses.Count;
@@ -55,7 +57,7 @@ internal sealed class PoseStrip(PointMotion motion, IReadOnlyList<SampledPose> p
         }
     }
 
-    // What is nearer to the viewer is drawn over the rest; each side of the body is one path of limbs, and one of fingers.
+    // Nearer parts are drawn over the others. Each side of the body is one path of limbs and one path of fingers.
     private void DrawFigure(
         SvgDrawing svg, Vector3[] points, Func<Vector3, (double X, double Y)> project, Func<Vector3, float> nearness, double scale)
     {
@@ -120,7 +122,7 @@ internal sealed class PoseStrip(PointMotion motion, IReadOnlyList<SampledPose> p
         .Select(point => (double)point.Y - ground)
         .Where(double.IsFinite);
 
-    // Values of a damaged file may be too large to be subtracted as they are.
+    // Values of a damaged file may be too large to be subtracted directly.
     private static double Distance(Vector3 a, Vector3 b) =>
         Math.Sqrt(Square((double)a.X - b.X) + Square((double)a.Y - b.Y) + Square((double)a.Z - b.Z));
 

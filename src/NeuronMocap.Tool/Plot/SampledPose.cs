@@ -2,19 +2,19 @@ using System.Numerics;
 
 namespace NeuronMocap.Tool.Plot;
 
-/// <summary>A moment of the take that is drawn as a skeleton.</summary>
-/// <param name="Seconds">Since the take's beginning.</param>
-/// <param name="Points">Where the points are in the world.</param>
+/// <summary>A pose of the take that is drawn as a skeleton.</summary>
+/// <param name="Seconds">Time since the start of the take.</param>
+/// <param name="Points">Positions of the points in the world.</param>
 internal sealed record SampledPose(double Seconds, Vector3[] Points)
 {
-    /// <summary>Takes poses at regular times, the first and the last frame among them.</summary>
+    /// <summary>Samples poses at regular times, including the first and last frame.</summary>
     public static SampledPose[] Take(PointMotion motion, int count)
     {
         long poses = Math.Min(count, motion.FrameCount);
         return [.. Enumerable.Range(0, (int)poses).Select(i => At(motion, poses == 1 ? 0 : (long)Math.Round(i * (motion.FrameCount - 1.0) / (poses - 1))))];
     }
 
-    /// <summary>Where the body faces, horizontally; null when its points do not tell.</summary>
+    /// <summary>Gets the horizontal facing direction. Null if the points do not give it.</summary>
     public Vector3? Facing(PointRoles roles)
     {
         if (roles is not { LeftThigh: { } left, RightThigh: { } right })

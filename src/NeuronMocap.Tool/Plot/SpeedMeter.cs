@@ -2,10 +2,8 @@ using System.Numerics;
 
 namespace NeuronMocap.Tool.Plot;
 
-/// <summary>
-/// The speed of a point, from its places some frames before and after: over less than a thirtieth of a second the steps of the values' last digits
-/// would be most of it.
-/// </summary>
+/// <summary>Measures the speed of a point from its positions some frames before and after.</summary>
+/// <remarks>Over less than a thirtieth of a second, the rounding of the values' last digits would dominate the speed.</remarks>
 internal sealed class SpeedMeter(double frameRate, bool horizontal)
 {
     private const double LongestReach = 100_000; // frames
@@ -14,8 +12,8 @@ internal sealed class SpeedMeter(double frameRate, bool horizontal)
     private readonly Queue<Vector3> _places = new();
     private long _next;
 
-    /// <summary>Takes the next place.</summary>
-    /// <returns>The frame that can now be told, and its speed per second; null at the beginning.</returns>
+    /// <summary>Adds the next position.</summary>
+    /// <returns>The frame whose speed is now known, and its speed per second; null at the start.</returns>
     public (long Frame, float Speed)? Add(Vector3 place)
     {
         place = horizontal ? place with { Y = 0 } : place;

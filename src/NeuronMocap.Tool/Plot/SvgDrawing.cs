@@ -5,7 +5,7 @@ using NeuronMocap.Tool.Terminal;
 
 namespace NeuronMocap.Tool.Plot;
 
-/// <summary>Which part of a text stands at its point.</summary>
+/// <summary>The part of a text that is at its point.</summary>
 internal enum TextAnchor
 {
     Start,
@@ -13,10 +13,11 @@ internal enum TextAnchor
     End,
 }
 
-/// <summary>
-/// Writes an SVG picture with a ground of its own, so that it is the same on a dark page. Looks are attributes, not a style sheet, which not every
-/// program reads. The same calls give the same bytes.
-/// </summary>
+/// <summary>Writes an SVG picture.</summary>
+/// <remarks>
+/// The picture has a background, so that it looks the same on a dark page. Styles are attributes, because not every program reads a style sheet. The
+/// same calls give the same bytes.
+/// </remarks>
 internal sealed class SvgDrawing : IDisposable
 {
     private const string Namespace = "http://www.w3.org/2000/svg";
@@ -43,17 +44,17 @@ internal sealed class SvgDrawing : IDisposable
         Rectangle(new Box(0.5, 0.5, width - 1, height - 1), PlotTheme.Paper, PlotTheme.Edge);
     }
 
-    /// <summary>At most two decimals, never an exponent, whatever the culture of the thread.</summary>
+    /// <summary>Formats a number with at most two decimals and without an exponent, in any culture.</summary>
     public static string Number(double value)
     {
         if (!double.IsFinite(value))
-            throw new ArgumentOutOfRangeException(nameof(value), value, "Only what is somewhere can be drawn.");
+            throw new ArgumentOutOfRangeException(nameof(value), value, "Coordinates must be finite.");
 
         double rounded = Math.Round(value, 2);
         return (rounded == 0 ? 0 : rounded).ToString("0.##", CultureInfo.InvariantCulture);
     }
 
-    /// <summary>Begins a part of the picture that has a name; <see cref="EndGroup"/> ends it.</summary>
+    /// <summary>Starts a named group of the picture. <see cref="EndGroup"/> ends it.</summary>
     public void BeginGroup(string name)
     {
         Begin("g");
@@ -123,7 +124,7 @@ internal sealed class SvgDrawing : IDisposable
         End();
     }
 
-    /// <summary>Draws lines, of as many pieces as the path has.</summary>
+    /// <summary>Draws the lines of a path.</summary>
     public void Stroke(SvgPath path, string stroke, double width, double opacity = 1)
     {
         if (path.IsEmpty)

@@ -2,7 +2,7 @@ using System.Text;
 
 namespace NeuronMocap.Tool.Plot;
 
-/// <summary>Points that lines are drawn through, in any number of pieces.</summary>
+/// <summary>A path of lines through points, in any number of pieces.</summary>
 internal sealed class SvgPath
 {
     private readonly StringBuilder _data = new();

@@ -3,7 +3,7 @@ using NeuronMocap.Motion;
 
 namespace NeuronMocap.Tool.Plot;
 
-/// <summary>All that the charts and the map show, from one walk through the take; its size does not grow with the take's length.</summary>
+/// <summary>The data of the charts and the map, from one pass through the take. Its size does not depend on the length of the take.</summary>
 internal sealed class TakeCurves
 {
     private const int Stretches = 540;
@@ -36,10 +36,10 @@ internal sealed class TakeCurves
 
     public Curve RightHand { get; }
 
-    /// <summary>Height of the ground: the lowest that any foot comes to, or any point of a body without known feet.</summary>
+    /// <summary>Height of the ground: the lowest point of any foot. If feet are unknown, the lowest point of the body.</summary>
     public float Ground { get; private set; } = float.NaN;
 
-    /// <summary>Null where contacts are not known.</summary>
+    /// <summary>Contacts of the left foot; null if contacts are unknown.</summary>
     public ContactTrack? LeftContacts { get; private set; }
 
     public ContactTrack? RightContacts { get; private set; }
@@ -50,17 +50,17 @@ internal sealed class TakeCurves
     /// <summary>The highest X, Y and Z of the hips.</summary>
     public Vector3 Highest { get; private set; } = new(float.NegativeInfinity);
 
-    /// <summary>Length of the way of the hips over the ground, without the sway of who stands: <see cref="WalkingDistance"/>.</summary>
+    /// <summary>Length of the path of the hips over the ground, without the sway of a standing person: see <see cref="WalkingDistance"/>.</summary>
     public double Distance => _walk.Distance;
 
-    /// <summary>Places of the hips, evenly in time.</summary>
+    /// <summary>Positions of the hips at regular times.</summary>
     public List<Vector3> Trail { get; } = [];
 
-    /// <summary>Walks through a take.</summary>
+    /// <summary>Measures a take.</summary>
     /// <param name="motion">The take.</param>
-    /// <param name="progress">Told the part that is done, 0 to 1.</param>
-    /// <param name="cancellationToken">Ends it.</param>
-    /// <exception cref="OperationCanceledException">It was ended.</exception>
+    /// <param name="progress">Receives progress, 0 to 1.</param>
+    /// <param name="cancellationToken">Cancels the work.</param>
+    /// <exception cref="OperationCanceledException">The work was cancelled.</exception>
     public static TakeCurves Measure(PointMotion motion, IProgress<double> progress, CancellationToken cancellationToken)
     {
         var curves = new TakeCurves(motion);
@@ -150,6 +150,6 @@ internal sealed class TakeCurves
         return lowest;
     }
 
-    // One that is not finite counts for nothing.
+    // Ignores values that are not finite.
     private static float Lower(float a, float b) => !float.IsFinite(a) ? b : !float.IsFinite(b) || a <= b ? a : b;
 }

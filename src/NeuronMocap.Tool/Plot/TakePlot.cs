@@ -2,7 +2,7 @@ using NeuronMocap.Tool.Terminal;
 
 namespace NeuronMocap.Tool.Plot;
 
-/// <summary>The contact sheet of a take: skeletons at regular times, the way over the ground, feet and speeds over time.</summary>
+/// <summary>The plot of a take: skeletons at regular times, the path over the ground, and feet and speeds over time.</summary>
 internal sealed class TakePlot(PointMotion motion, string title, string subtitle)
 {
     public const double Width = 1200;
@@ -20,11 +20,11 @@ internal sealed class TakePlot(PointMotion motion, string title, string subtitle
     private const double ChartLeft = 510;
     private const double ChartWidth = Right - ChartLeft;
 
-    /// <summary>Walks through the take and writes the picture.</summary>
+    /// <summary>Measures the take and writes the picture.</summary>
     /// <param name="output">Receives SVG.</param>
-    /// <param name="progress">Told the part that is done, 0 to 1.</param>
-    /// <param name="cancellationToken">Ends it.</param>
-    /// <exception cref="OperationCanceledException">It was ended.</exception>
+    /// <param name="progress">Receives progress, 0 to 1.</param>
+    /// <param name="cancellationToken">Cancels the work.</param>
+    /// <exception cref="OperationCanceledException">The work was cancelled.</exception>
     public void Write(Stream output, IProgress<double> progress, CancellationToken cancellationToken)
     {
         TakeCurves curves = TakeCurves.Measure(motion, progress, cancellationToken);
@@ -113,7 +113,7 @@ internal sealed class TakePlot(PointMotion motion, string title, string subtitle
             svg.Rectangle(new Box(chart.X(start), top, chart.X(end) - chart.X(start), ContactHeight), color);
     }
 
-    // Steps less than a pixel apart are drawn as one: a take of hours has thousands.
+    // Steps less than a pixel apart are drawn as one, because a take of hours has thousands.
     private static IEnumerable<(double Start, double End)> Merge(IReadOnlyList<ContactTrack.Step> steps, double frameRate, double pixel)
     {
         (double Start, double End)? open = null;

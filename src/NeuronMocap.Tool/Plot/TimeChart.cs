@@ -3,7 +3,7 @@ namespace NeuronMocap.Tool.Plot;
 /// <summary>A line of a chart.</summary>
 internal readonly record struct ChartLine(Curve Curve, string Color);
 
-/// <summary>Values over time, in a box of its own with an axis on the left; charts one below the other share the time below the last.</summary>
+/// <summary>A chart of values over time, in its own box with an axis on the left. Stacked charts share the time axis below the last one.</summary>
 internal sealed class TimeChart(string name, Box box, double frameRate, double duration)
 {
     private const double LineWidth = 1.1;
@@ -13,13 +13,13 @@ internal sealed class TimeChart(string name, Box box, double frameRate, double d
 
     public double X(double seconds) => box.Left + (seconds / duration * box.Width);
 
-    /// <summary>Draws grid, values and title.</summary>
+    /// <summary>Draws the grid, the values and the title.</summary>
     /// <param name="svg">The picture.</param>
-    /// <param name="title">What it shows, with the unit.</param>
+    /// <param name="title">The title with the unit.</param>
     /// <param name="lines">The values.</param>
-    /// <param name="zero">The value that is the zero of the axis.</param>
-    /// <param name="scale">Units of the axis for one of the values.</param>
-    /// <param name="least">The axis goes this far at least, in its own units.</param>
+    /// <param name="zero">The value at the zero of the axis.</param>
+    /// <param name="scale">Units of the axis per unit of the values.</param>
+    /// <param name="least">Minimum extent of the axis, in its own units.</param>
     public void Draw(SvgDrawing svg, string title, IReadOnlyList<ChartLine> lines, double zero, double scale, double least)
     {
         double highest = Math.Max(least, lines.Select(line => (line.Curve.Highest - zero) * scale).Where(double.IsFinite).Append(0).Max());

@@ -9,14 +9,14 @@ using NeuronMocap.Tool.Arguments;
 
 namespace NeuronMocap.Tool.Simulate;
 
-/// <summary>A switch that is written out. Not a bool, which the parser takes for an option without a value.</summary>
+/// <summary>An option with the values on and off. It is not a bool, because the parser would take it for an option without a value.</summary>
 internal enum OnOff
 {
     On,
     Off,
 }
 
-/// <summary>The options of simulate: names, ranges and help. Other programs rely on them.</summary>
+/// <summary>The options of simulate: names, ranges and help. Other programs depend on them.</summary>
 internal sealed class SimulateArguments
 {
     private static readonly string[] OnOffWords = ["on", "off"];
@@ -46,13 +46,13 @@ internal sealed class SimulateArguments
                 (Format, ["binary", "text", "studio"]), (Header, ["new", "old"]), (Rate, ["max"]),
             ])
         {
-            // Not the names of an enumeration's members.
+            // Removes the names of the enumeration's members.
             option.CompletionSources.Clear();
             option.CompletionSources.Add(words);
         }
     }
 
-    /// <summary>All options, under a title each.</summary>
+    /// <summary>All options, grouped under titles.</summary>
     public IReadOnlyList<(string Title, Option[] Options)> Sections =>
     [
         ("What is sent", [Synthetic, Bvh, Calc, .. Play.All, Avatars, Rate, Frames, Loop]),
@@ -69,7 +69,7 @@ internal sealed class SimulateArguments
     public Option<FileInfo?> Calc { get; } = new("--calc")
     {
         HelpName = "FILE",
-        Description = "Play a calculation export of Axis Neuron; with --calculation its own values go out with the poses.",
+        Description = "Play a calculation export of Axis Neuron; with --calculation, its own values are sent with the poses.",
     };
 
     public Option<bool> Synthetic { get; } = new("--synthetic")
@@ -80,19 +80,19 @@ internal sealed class SimulateArguments
     public Option<IPAddress> Bind { get; } = new("--bind")
     {
         HelpName = "ADDRESS",
-        Description = "Address of this machine to listen on; 0.0.0.0 for all. Default: 127.0.0.1.",
+        Description = "Address of this computer to listen on; 0.0.0.0 for all. Default: 127.0.0.1.",
     };
 
     public Option<int?> Port { get; } = new("--port")
     {
         HelpName = "PORT",
-        Description = "TCP port to listen on, 0 to 65535; 0 takes any free one. Default: 7001, or none with --udp.",
+        Description = "TCP port to listen on, 0 to 65535; 0 takes any free port. Default: 7001, or none with --udp.",
     };
 
     public Option<ServerAddress[]> Udp { get; } = new("--udp")
     {
         HelpName = "HOST:PORT",
-        Description = "Send UDP datagrams there; may be repeated. Listens on TCP as well only if --port is given.",
+        Description = "Send UDP datagrams to this address; may be repeated. Listens on TCP as well only if --port is given.",
         CustomParser = static result => ParseDestinations(result),
     };
 
@@ -101,9 +101,9 @@ internal sealed class SimulateArguments
     public Option<double?> Rate { get; } = new("--rate")
     {
         HelpName = "HZ|max",
-        Description = "Frames per second, 0.01 to 100000, or max: as fast as each client reads, each from frame 0, losing nothing; "
-            + "ends when clients came and all have left. A file is sent row by row, so that another rate than its own changes its speed. "
-            + "Default: the source's own.",
+        Description = "Frames per second, 0.01 to 100000, or max: each client gets all frames from frame 0, as fast as it reads; "
+            + "the program ends when clients have connected and all have left. A file is sent row by row, so a rate other than its own changes its speed. "
+            + "Default: the rate of the source.",
     };
 
     public Option<long?> Frames { get; } = new("--frames")
@@ -112,49 +112,49 @@ internal sealed class SimulateArguments
         Description = "Frames of each avatar to send, at least 1. Default: all.",
     };
 
-    public Option<bool> Loop { get; } = new("--loop") { Description = "Start a finite take again at its end." };
+    public Option<bool> Loop { get; } = new("--loop") { Description = "Repeat a finite take." };
 
     public Option<bool> WaitForClient { get; } = new("--wait-for-client")
     {
-        Description = "Send nothing before the first TCP client, which then gets frame 0; with --calculation-port, before the first of each port.",
+        Description = "Wait for the first TCP client, which then gets frame 0. With --calculation-port, wait for a client of each port.",
     };
 
     public Option<OnOff?> Displacement { get; } = new("--displacement")
     {
         HelpName = "on|off",
-        Description = "Positions of all bones (cm), not only the hips. Default: on, or as the BVH file has it.",
+        Description = "Send positions of all bones (cm), not only of the hips. Default: on, or as in the BVH file.",
     };
 
     public Option<OnOff?> Reference { get; } = new("--reference")
     {
         HelpName = "on|off",
-        Description = "Six values of the Reference node first. Default: off.",
+        Description = "Send the six values of the reference first. Default: off.",
     };
 
     public Option<RotationOrder?> Order { get; } = new("--order")
     {
         HelpName = "ORDER",
-        Description = "Rotation order: XYZ, XZY, YXZ, YZX, ZXY or ZYX. Default: YXZ, or the BVH file's.",
+        Description = "Rotation order: XYZ, XZY, YXZ, YZX, ZXY or ZYX. Default: YXZ, or that of the BVH file.",
     };
 
     public Option<BroadcastFormat?> Format { get; } = new("--format")
     {
         HelpName = "binary|text|studio",
         Description = "Packets of Axis Neuron, lines of text (its block type String), or packets of Axis Studio, version 1.1.0.1, "
-            + "with rotation order, timecode and its own calculation packets: programs with the vendor's b12 library crash on these by a fault of their own. "
+            + "with rotation order, timecode and its own calculation packets. Programs with the vendor's b12 library crash on the packets of Axis Studio because of a bug in that library. "
             + "Default: binary.",
     };
 
     public Option<HeaderLayout?> Header { get; } = new("--header")
     {
         HelpName = "new|old",
-        Description = "Header layout: version 1.1.0.0 or 1.0.0.2, also what Axis Studio's old header is. Format binary only. Default: new.",
+        Description = "Header layout: new is version 1.1.0.0; old is 1.0.0.2, which is also Axis Studio's old header. Format binary only. Default: new.",
     };
 
     public Option<int?> Decimals { get; } = new("--decimals")
     {
         HelpName = "N",
-        Description = "Digits after the point, 0 to 6. Format text only. Default: 2.",
+        Description = "Decimals of the numbers, 0 to 6. Format text only. Default: 2.",
     };
 
     public Option<bool> Calculation { get; } = new("--calculation")
@@ -165,7 +165,7 @@ internal sealed class SimulateArguments
     public Option<int?> CalculationPort { get; } = new("--calculation-port")
     {
         HelpName = "PORT",
-        Description = "Send calculation packets, or lines, on this port, 0 to 65535, and motion alone on the other: TCP clients connect to both, UDP receivers get "
+        Description = "Send calculation packets, or lines, on this port, 0 to 65535, and only motion on the other. TCP clients connect to both; UDP receivers get "
             + $"both from two sockets. Default without PORT: {ProtocolConstants.DefaultCalculationPort}.",
         Arity = ArgumentArity.ZeroOrOne,
     };
@@ -173,13 +173,13 @@ internal sealed class SimulateArguments
     public Option<OnOff?> Motion { get; } = new("--motion")
     {
         HelpName = "on|off",
-        Description = "off: send calculation packets, or lines, alone, to --port and --udp. Default: on.",
+        Description = "off: send only calculation packets, or lines, to --port and --udp. Default: on.",
     };
 
     public Option<int?> Fragment { get; } = new("--fragment")
     {
         HelpName = "BYTES",
-        Description = "Write TCP in pieces of exactly, and UDP in datagrams of at most, 1 to 1048576 bytes. Default: whole packets.",
+        Description = "Size in bytes, 1 to 1048576. TCP is written in pieces of exactly this size, UDP in datagrams of at most this size. Default: whole packets.",
     };
 
     public Option<OnOff?> DataCommands { get; } = new("--data-commands")
@@ -191,7 +191,7 @@ internal sealed class SimulateArguments
     public Option<int?> Commands { get; } = new("--commands")
     {
         HelpName = "PORT",
-        Description = "Open a command channel, too, on this TCP port, 0 to 65535: rotation order, bone sizes, BVH headers and zero-out. "
+        Description = "Also open a command channel on this TCP port, 0 to 65535: rotation order, bone sizes, BVH headers and zero-out. "
             + $"Default without PORT: {ProtocolConstants.DefaultCommandPort}.",
         Arity = ArgumentArity.ZeroOrOne,
     };
@@ -220,7 +220,7 @@ internal sealed class SimulateArguments
         if (words.Contains(text, StringComparer.OrdinalIgnoreCase))
             return Enum.Parse<T>(text, ignoreCase: true);
 
-        result.AddError($"{NameOf(result)} {text} is none of {string.Join(", ", words)}.");
+        result.AddError($"{NameOf(result)} {text} is not one of {string.Join(", ", words)}.");
         return null;
     };
 
@@ -261,7 +261,7 @@ internal sealed class SimulateArguments
         }
     }
 
-    /// <summary>Adds an error for every option that has no meaning beside another.</summary>
+    /// <summary>Adds an error for every option that contradicts another one.</summary>
     public void RejectContradictions(CommandResult result)
     {
         if (result.GetResult(Bvh) is not null && result.GetResult(Synthetic) is not null)
@@ -276,7 +276,7 @@ internal sealed class SimulateArguments
         if (result.GetResult(CalculationPort) is not null && result.GetResult(Motion)?.Tokens is [{ Value: var motion }]
             && motion.Equals("off", StringComparison.OrdinalIgnoreCase))
         {
-            result.AddError("--motion off sends calculation alone, to --port and --udp: leave out --calculation-port.");
+            result.AddError("--motion off sends only calculation data to --port and --udp: leave out --calculation-port.");
         }
 
         if (result.GetResult(WaitForClient) is not null && result.GetResult(Udp) is not null && result.GetResult(Port) is null)

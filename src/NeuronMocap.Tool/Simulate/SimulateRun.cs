@@ -7,16 +7,16 @@ namespace NeuronMocap.Tool.Simulate;
 /// <summary>One broadcast, from the options to its end.</summary>
 /// <param name="arguments">The options.</param>
 /// <param name="result">A command line without errors.</param>
-/// <param name="streams">Where to write.</param>
+/// <param name="streams">The streams to write to.</param>
 internal sealed class SimulateRun(SimulateArguments arguments, ParseResult result, StandardStreams streams)
 {
-    /// <summary>Broadcasts until everything is sent, or somebody has had enough.</summary>
+    /// <summary>Broadcasts until everything is sent, or until the user stops it.</summary>
     /// <exception cref="UsageException">An option has no meaning here.</exception>
-    /// <exception cref="SimulatorException">Something that the options name cannot be had.</exception>
-    /// <exception cref="OperationCanceledException">Somebody had enough before it began.</exception>
+    /// <exception cref="SimulatorException">A file, host or port that the options name is not available.</exception>
+    /// <exception cref="OperationCanceledException">The user stopped the run before the broadcast started.</exception>
     public async Task RunAsync(CancellationToken cancellationToken)
     {
-        // A large file is read as a whole.
+        // A large file is read as a whole, which takes time.
         (BroadcasterOptions options, string description) = await Task.Run(CreateOptions, CancellationToken.None).WaitAsync(cancellationToken);
         using Broadcaster broadcaster = OpenBroadcaster(options);
         using CommandServer? commands = OpenCommands(broadcaster, options);
@@ -33,11 +33,11 @@ internal sealed class SimulateRun(SimulateArguments arguments, ParseResult resul
         }
         catch (ArgumentException exception) when (exception.ParamName is nameof(BroadcasterOptions.FrameRate))
         {
-            throw new SimulatorException("--rate: the file's own rate is not from 0.01 to 100000 Hz; give one.");
+            throw new SimulatorException("--rate: the file's own rate is not from 0.01 to 100000 Hz; set a rate.");
         }
         catch (Exception exception) when (exception is NeuronException or IOException or UnauthorizedAccessException)
         {
-            // It was there a moment ago.
+            // The file existed a moment ago.
             throw new SimulatorException($"--play: {exception.Message}");
         }
     }

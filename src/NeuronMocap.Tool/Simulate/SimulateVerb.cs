@@ -4,13 +4,13 @@ using NeuronMocap.Tool.Terminal;
 
 namespace NeuronMocap.Tool.Simulate;
 
-/// <summary>neuron-mocap simulate: is the server.</summary>
+/// <summary>neuron-mocap simulate: acts as a server.</summary>
 internal sealed class SimulateVerb : Verb
 {
     private readonly SimulateArguments _arguments = new();
 
     public SimulateVerb()
-        : base("simulate", "Send what Axis Neuron sends, without a suit. Any number of TCP clients and of UDP receivers get it.")
+        : base("simulate", "Broadcast like Axis Neuron, without a suit, to any number of TCP clients and UDP receivers.")
     {
         foreach ((string title, Option[] options) in _arguments.Sections)
             AddOptions(title, options);
@@ -20,19 +20,19 @@ internal sealed class SimulateVerb : Verb
 
     public override IReadOnlyList<HelpExample> Examples { get; } =
     [
-        new("simulate --bind 0.0.0.0 --avatars 2", "two actors for every machine of the network that connects to port 7001"),
-        new("simulate --bvh take.bvh --loop --rate 60 --udp 127.0.0.1:7002 --fragment 1024", "a take again and again, in datagrams as Axis Neuron on macOS sends them"),
-        new("simulate --play take.nmrec --speed 2 --loop", "what watch --record wrote, byte for byte, twice as fast, again and again"),
-        new("simulate --calc take_Char00.calc --calculation --loop", "a calculation export: poses made of it, and its own values"),
+        new("simulate --bind 0.0.0.0 --avatars 2", "two avatars for every computer of the network that connects to port 7001"),
+        new("simulate --bvh take.bvh --loop --rate 60 --udp 127.0.0.1:7002 --fragment 1024", "a take in a loop, in datagrams as Axis Neuron on macOS sends them"),
+        new("simulate --play take.nmrec --speed 2 --loop", "a recording of watch --record, byte for byte, twice as fast, in a loop"),
+        new("simulate --calc take_Char00.calc --calculation --loop", "a calculation export: poses computed from it, and its own values"),
         new("simulate --calculation-port", "motion on port 7001 and calculation on port 7003, as servers normally send them"),
-        new("simulate --format text --rate 1", "lines to look at, with nc 127.0.0.1 7001"),
+        new("simulate --format text --rate 1", "lines of text; read them with nc 127.0.0.1 7001"),
         new("simulate --commands", "with a command channel on port 8013: the verb command shows what it answers"),
     ];
 
     public override IReadOnlyList<(int Code, string Meaning)> ExitCodes { get; } =
     [
         (CommandLine.Done, "done, or stopped by Ctrl+C or SIGTERM"),
-        (CommandLine.NothingReceived, "no such port, address or file"),
+        (CommandLine.NothingReceived, "a port, an address or a file is not available"),
         (CommandLine.Interrupted, "ended by Ctrl+C or SIGTERM before it began"),
     ];
 

@@ -5,28 +5,28 @@ using NeuronMocap.Recording;
 
 namespace NeuronMocap.Tool.Simulate;
 
-/// <summary>The options of a recording as the source.</summary>
+/// <summary>The options for a recording as the source.</summary>
 internal sealed class SimulatedPlayArguments
 {
     private readonly Option<FileInfo?> _play = new("--play")
     {
         HelpName = "FILE",
-        Description = "Play a recording (neuron-mocap watch --record), or the bytes of a stream that somebody wrote to a file: byte for byte as it was received, at its own "
-            + "times. Bytes without times are sent at --rate, or as their timecodes say, or at 120 frames per second.",
+        Description = "Play a recording (neuron-mocap watch --record), or the raw bytes of a stream, byte for byte as received, at the recorded "
+            + "times. Bytes without times are sent at --rate, at the rate of their timecodes, or at 120 frames per second.",
     };
 
     private readonly Option<double?> _speed = new("--speed")
     {
         HelpName = "N",
-        Description = "With --play: how many times as fast as it was recorded, 0.01 to 100. Default: 1. As fast as clients read: --rate max.",
+        Description = "With --play: speed relative to the recording, 0.01 to 100. Default: 1. To send as fast as clients read, use --rate max.",
         CustomParser = ParseSpeed,
     };
 
     public Option[] All => [_play, _speed];
 
-    /// <summary>Adds an error for every option that has no meaning beside another.</summary>
+    /// <summary>Adds an error for every option that contradicts another one.</summary>
     /// <param name="result">The command line.</param>
-    /// <param name="ofSources">Options that say what packets are made of.</param>
+    /// <param name="ofSources">Options that shape the packets of other sources.</param>
     public void RejectContradictions(CommandResult result, Option[] ofSources)
     {
         if (result.GetResult(_play) is null)
@@ -41,10 +41,10 @@ internal sealed class SimulatedPlayArguments
             result.AddError($"--play and {option.Name} exclude each other: a recording is sent as it is.");
     }
 
-    /// <summary>What to play; null where it is no recording.</summary>
+    /// <summary>Reads the settings of the recording. Null if the source is not a recording.</summary>
     /// <param name="result">The command line.</param>
     /// <param name="rate">Frames per second.</param>
-    /// <param name="loop">Whether it starts again at its end.</param>
+    /// <param name="loop">Whether the recording restarts at its end.</param>
     /// <exception cref="SimulatorException">The file cannot be played.</exception>
     /// <exception cref="UsageException">An option has no meaning for this file.</exception>
     public SimulatedPlaySettings? Read(ParseResult result, double? rate, bool loop)
@@ -68,12 +68,12 @@ internal sealed class SimulatedPlayArguments
             using RecordedFrameReader reader = RecordedFrameReader.Open(file.FullName, options);
             string pace = isMax ? "as fast as clients read" : string.Create(CultureInfo.InvariantCulture, $"speed {speed ?? 1:0.##}");
             string description = string.Create(
-                CultureInfo.InvariantCulture, $"Playing {file.Name}: {reader.Duration.TotalSeconds:0.0} s, {pace}{(loop ? ", again and again" : "")}");
+                CultureInfo.InvariantCulture, $"Playing {file.Name}: {reader.Duration.TotalSeconds:0.0} s, {pace}{(loop ? ", in a loop" : "")}");
             return new SimulatedPlaySettings(file.FullName, speed ?? 1, loop, description);
         }
         catch (ArgumentException)
         {
-            throw new UsageException($"--rate: {file.Name} has times of its own; --speed makes it faster or slower, --rate max as fast as clients read.");
+            throw new UsageException($"--rate: {file.Name} has its own times; --speed changes its speed, and --rate max sends it as fast as clients read.");
         }
     }
 
@@ -90,7 +90,7 @@ internal sealed class SimulatedPlayArguments
 
 /// <summary>A recording as the source.</summary>
 /// <param name="Path">The file.</param>
-/// <param name="Speed">How many times as fast as it was recorded.</param>
-/// <param name="Loop">Whether it starts again at its end.</param>
-/// <param name="Description">The line that the program begins with.</param>
+/// <param name="Speed">Speed relative to the recording.</param>
+/// <param name="Loop">Whether the recording restarts at its end.</param>
+/// <param name="Description">The first line that the program writes.</param>
 internal sealed record SimulatedPlaySettings(string Path, double Speed, bool Loop, string Description);

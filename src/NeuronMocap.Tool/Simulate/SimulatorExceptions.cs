@@ -1,7 +1,7 @@
 namespace NeuronMocap.Tool.Simulate;
 
-/// <summary>The options contradict each other or ask for what there is not: exit code 2.</summary>
+/// <summary>The exception for options that contradict each other or name something that does not exist: exit code 2.</summary>
 internal sealed class UsageException(string message) : Exception(message);
 
-/// <summary>A file or a host that the options name cannot be had; the message begins with the option: exit code 1.</summary>
+/// <summary>The exception for a file, host or port that is not available: exit code 1. The message starts with the option.</summary>
 internal sealed class SimulatorException(string message) : Exception(message);

@@ -7,15 +7,15 @@ using NeuronMocap.Tool.Arguments;
 
 namespace NeuronMocap.Tool.Simulate;
 
-/// <summary>Turns the command line into the options of a broadcaster.</summary>
+/// <summary>Converts the command line to the options of a broadcaster.</summary>
 internal static class SimulatorOptions
 {
-    /// <summary>Makes the options.</summary>
+    /// <summary>Creates the options for sources.</summary>
     /// <param name="arguments">The options.</param>
     /// <param name="result">A command line without errors.</param>
-    /// <param name="sources">What to play.</param>
+    /// <param name="sources">The sources.</param>
     /// <exception cref="UsageException">An option has no meaning here.</exception>
-    /// <exception cref="SimulatorException">A host name leads nowhere.</exception>
+    /// <exception cref="SimulatorException">A host name has no address.</exception>
     public static BroadcasterOptions Create(SimulateArguments arguments, ParseResult result, SimulatorSources sources)
     {
         ServerAddress[] udp = result.GetValue(arguments.Udp) ?? [];
@@ -52,12 +52,12 @@ internal static class SimulatorOptions
         };
     }
 
-    /// <summary>Makes the options of a recording.</summary>
+    /// <summary>Creates the options for a recording.</summary>
     /// <param name="arguments">The options.</param>
     /// <param name="result">A command line without errors.</param>
-    /// <param name="play">What to play.</param>
+    /// <param name="play">The recording.</param>
     /// <exception cref="UsageException">An option has no meaning here.</exception>
-    /// <exception cref="SimulatorException">A host name leads nowhere.</exception>
+    /// <exception cref="SimulatorException">A host name has no address.</exception>
     public static BroadcasterOptions Create(SimulateArguments arguments, ParseResult result, SimulatedPlaySettings play)
     {
         ServerAddress[] udp = result.GetValue(arguments.Udp) ?? [];
@@ -93,7 +93,7 @@ internal static class SimulatorOptions
         if (format == BroadcastFormat.Text && header is not null)
             throw new UsageException("--format text has no headers: leave out --header.");
         if (format == BroadcastFormat.Studio && header == HeaderLayout.Old)
-            throw new UsageException("--format studio has the new header; Axis Studio's old one is --format binary --header old.");
+            throw new UsageException("--format studio uses the new header; for Axis Studio's old header use --format binary --header old.");
         if (format != BroadcastFormat.Text && result.GetValue(arguments.Decimals) is not null)
             throw new UsageException("--decimals is for --format text; packets carry every value as it is.");
     }
@@ -103,7 +103,7 @@ internal static class SimulatorOptions
         foreach (IGrouping<int?, string> same in ports.Where(port => port.Port > 0).GroupBy(port => port.Port, port => port.Option))
         {
             if (same.Count() > 1)
-                throw new UsageException($"{string.Join(" and ", same)} are both {same.Key}; each takes a port of its own.");
+                throw new UsageException($"{string.Join(" and ", same)} are both {same.Key}; each needs its own port.");
         }
     }
 
@@ -115,13 +115,13 @@ internal static class SimulatorOptions
 
         try
         {
-            // IPv4 first: the vendor's readers bind to nothing else (protocol.md section 4.2).
+            // IPv4 first, because the vendor's readers bind only to IPv4 (protocol.md section 4.2).
             IPAddress[] addresses = Dns.GetHostAddresses(host);
             return new IPEndPoint(addresses.OrderBy(candidate => candidate.AddressFamily != AddressFamily.InterNetwork).First(), port);
         }
         catch (SocketException exception)
         {
-            throw new SimulatorException($"--udp: the host name {host} leads nowhere ({exception.SocketErrorCode}).");
+            throw new SimulatorException($"--udp: the host name {host} has no address ({exception.SocketErrorCode}).");
         }
     }
 }

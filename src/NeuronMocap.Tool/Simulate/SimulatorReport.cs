@@ -8,7 +8,7 @@ using Spectre.Console;
 
 namespace NeuronMocap.Tool.Simulate;
 
-/// <summary>What simulate says on standard output: what it sends, where, on a terminal how it is going, and at the end how it went.</summary>
+/// <summary>The standard output of simulate: what it sends and where, on a terminal its progress, and at the end a summary.</summary>
 internal sealed class SimulatorReport(
     Broadcaster broadcaster, CommandServer? commands, BroadcasterOptions options, string description, StandardStreams streams)
 {
@@ -20,7 +20,7 @@ internal sealed class SimulatorReport(
     private bool _isOutputClosed;
 
     /// <summary>Reports until the broadcast is over.</summary>
-    /// <exception cref="SimulatorException">The file could not be read to its end, or nothing can be said.</exception>
+    /// <exception cref="SimulatorException">The file could not be read to its end, or the output could not be written.</exception>
     public async Task RunAsync()
     {
         WriteLine(Describe());
@@ -58,18 +58,18 @@ internal sealed class SimulatorReport(
         }
     }
 
-    // Drawn again every second, and goes at the end.
+    // Redrawn every second and removed at the end.
     private Task WatchAsync() => _page.Console.Live(Progress()).AutoClear(enabled: true).StartAsync(async view =>
     {
         while (await Task.WhenAny(broadcaster.Completion, Task.Delay(Interval)) != broadcaster.Completion)
             view.UpdateTarget(Progress());
     });
 
-    // Two lines: of a single one the library moves the cursor up by 0 lines, which terminals take for 1.
+    // Two lines: for a single line the library moves the cursor up by 0 lines, which terminals treat as 1.
     private Padder Progress() =>
         new(new Text(Summarize(broadcaster.LocalEndPoint is null ? string.Empty : $"{Clients()}, "), Palette.DimStyle), new Padding(0, 1, 0, 0));
 
-    // Whoever reads the output may leave when he has seen where the server is.
+    // The program that reads the output may close it after it has read the addresses.
     private void WriteLine(string line)
     {
         if (_isOutputClosed)
@@ -105,7 +105,7 @@ internal sealed class SimulatorReport(
     {
         { Calculation: null, StudioCalculation: null } => string.Empty,
         { SendMotion: false } => $", {packets} alone",
-        { CalculationPort: not null } => $", {packets} on a port of their own",
+        { CalculationPort: not null } => $", {packets} on a separate port",
         _ => $", {packets}",
     };
 
@@ -132,7 +132,7 @@ internal sealed class SimulatorReport(
             + $"{Count(statistics.PacketsDropped, "packet")} dropped, {statistics.BytesSent / 1e6:0.0} MB{Commands(statistics)}");
     }
 
-    // Only where somebody sent some: few will.
+    // Only if clients sent commands, which is rare.
     private static string Commands(in BroadcasterStatistics statistics)
     {
         long unanswered = statistics.RequestsIgnored + statistics.RequestsDropped;

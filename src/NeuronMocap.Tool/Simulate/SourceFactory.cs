@@ -4,32 +4,32 @@ using NeuronMocap.Server;
 
 namespace NeuronMocap.Tool.Simulate;
 
-/// <summary>What the options name as the source of a broadcast.</summary>
+/// <summary>The source that the options name.</summary>
 /// <param name="Bvh">A BVH file, or null for another source.</param>
-/// <param name="Calc">A calculation export, or null for another source; without either the synthetic actor plays.</param>
+/// <param name="Calc">A calculation export, or null for another source. Without either file the synthetic walk plays.</param>
 /// <param name="Avatars">Number of avatars, at least 1.</param>
-/// <param name="Loop">Whether a finite take starts again at its end.</param>
+/// <param name="Loop">Whether a finite take restarts at its end.</param>
 internal sealed record SourceSettings(FileInfo? Bvh, FileInfo? Calc, int Avatars, bool Loop);
 
-/// <summary>The performances to broadcast.</summary>
-/// <param name="Avatars">One for each avatar.</param>
-/// <param name="Order">The file's own rotation order, or null when the source can be asked for any.</param>
-/// <param name="Description">What it is, for the line that the program begins with.</param>
+/// <summary>The sources to broadcast.</summary>
+/// <param name="Avatars">One source for each avatar.</param>
+/// <param name="Order">Rotation order of the file, or null if the source supports any order.</param>
+/// <param name="Description">Description for the first line that the program writes.</param>
 internal sealed record SimulatorSources(IReadOnlyList<MotionSource> Avatars, RotationOrder? Order, string Description)
 {
-    /// <summary>Makes the values of calculation packets: computed, or an export's own.</summary>
+    /// <summary>Provides the values of calculation packets: computed, or those of an export.</summary>
     public CalculationProvider WriteCalculation { get; init; } = CalculationSynthesizer.Write;
 
     /// <summary>Number of those values.</summary>
     public int CalculationValueCount { get; init; } = CalculationFrame.FullValueCount;
 }
 
-/// <summary>Makes the performances that the options name. The only place that knows which kinds there are.</summary>
+/// <summary>Creates the sources that the options name. Only this class knows the kinds of sources.</summary>
 internal static class SourceFactory
 {
-    /// <summary>Makes the performances.</summary>
-    /// <param name="settings">What the options name.</param>
-    /// <exception cref="NeuronException">The file is none of its kind, or not one of this skeleton.</exception>
+    /// <summary>Creates the sources.</summary>
+    /// <param name="settings">The source that the options name.</param>
+    /// <exception cref="NeuronException">The file has another format, or another skeleton.</exception>
     /// <exception cref="IOException">The file cannot be read.</exception>
     public static SimulatorSources Create(SourceSettings settings) => settings switch
     {

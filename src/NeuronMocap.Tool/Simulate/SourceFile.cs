@@ -2,14 +2,14 @@ using NeuronMocap.Tool.Files;
 
 namespace NeuronMocap.Tool.Simulate;
 
-/// <summary>Says in words what is wrong with a file that an option names, before and while it is read.</summary>
+/// <summary>Describes faults of a file that an option names, before and during reading.</summary>
 internal static class SourceFile
 {
     /// <summary>Reads a file.</summary>
-    /// <param name="option">The option that names it.</param>
+    /// <param name="option">The option that names the file.</param>
     /// <param name="file">The file.</param>
-    /// <param name="read">Reads it.</param>
-    /// <exception cref="SimulatorException">It cannot be read, or is not what it should be; the message says why.</exception>
+    /// <param name="read">Reads the file.</param>
+    /// <exception cref="SimulatorException">The file cannot be read, or has another format. The message says why.</exception>
     public static T Read<T>(string option, FileInfo file, Func<T> read)
     {
         try

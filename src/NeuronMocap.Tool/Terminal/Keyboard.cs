@@ -2,10 +2,10 @@ using System.Collections.Concurrent;
 
 namespace NeuronMocap.Tool.Terminal;
 
-/// <summary>
-/// The keys that were pressed. A thread waits in the system's read all the time, because otherwise the terminal shows what is typed.
-/// The thread ends with the program.
-/// </summary>
+/// <summary>Collects pressed keys.</summary>
+/// <remarks>
+/// A thread always waits in the system's read function. Otherwise the terminal would show the typed keys. The thread ends with the program.
+/// </remarks>
 internal sealed class Keyboard
 {
     private readonly ConcurrentQueue<ConsoleKeyInfo> _keys = new();
@@ -17,10 +17,10 @@ internal sealed class Keyboard
     /// <summary>Set with every key.</summary>
     public AutoResetEvent Pressed { get; } = new(initialState: false);
 
-    /// <summary>Whether there are keys to read. There are none if standard input is redirected.</summary>
+    /// <summary>Whether keys can be read. They cannot if standard input is redirected.</summary>
     public static bool IsAvailable => !Console.IsInputRedirected;
 
-    /// <summary>Starts to listen.</summary>
+    /// <summary>Starts to listen for keys.</summary>
     public static Keyboard Open()
     {
         var keyboard = new Keyboard();

@@ -3,7 +3,7 @@ using Spectre.Console;
 
 namespace NeuronMocap.Tool.Terminal;
 
-/// <summary>The colours. Nearly everyone can tell blue from orange.</summary>
+/// <summary>The colours. Nearly everyone can distinguish blue from orange.</summary>
 internal static class Palette
 {
     public static Color Left => Color.DeepSkyBlue1;

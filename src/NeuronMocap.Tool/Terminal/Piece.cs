@@ -12,7 +12,7 @@ internal sealed class Piece
 
     public IReadOnlyList<Segment> Segments => _segments;
 
-    /// <summary>Cells that it takes.</summary>
+    /// <summary>Width in cells.</summary>
     public int Width => Segment.CellCount(_segments);
 
     public Piece Add(string text, Style? style = null)
@@ -21,10 +21,10 @@ internal sealed class Piece
         return this;
     }
 
-    /// <summary>Lays pieces out in as many lines as they need.</summary>
-    /// <param name="pieces">The pieces. One that is wider than a line is broken between its words.</param>
-    /// <param name="separator">Stands between two pieces of a line.</param>
-    /// <param name="width">Cells of a line, at least 1.</param>
+    /// <summary>Arranges pieces in as many lines as they need.</summary>
+    /// <param name="pieces">The pieces. A piece that is wider than a line is broken between words.</param>
+    /// <param name="separator">Separator of two pieces in a line.</param>
+    /// <param name="width">Width of a line in cells, at least 1.</param>
     public static IReadOnlyList<StyledLine> Flow(IEnumerable<Piece> pieces, string separator, int width)
     {
         var lines = new List<StyledLine>();
@@ -49,11 +49,11 @@ internal sealed class Piece
         return lines;
     }
 
-    /// <summary>Lays pieces out, and adds optional ones as long as they need no further line.</summary>
+    /// <summary>Arranges pieces, and adds optional pieces as long as they need no further line.</summary>
     /// <param name="pieces">The pieces.</param>
-    /// <param name="optional">More pieces, the most important first.</param>
-    /// <param name="separator">Stands between two pieces of a line.</param>
-    /// <param name="width">Cells of a line, at least 1.</param>
+    /// <param name="optional">Optional pieces, the most important first.</param>
+    /// <param name="separator">Separator of two pieces in a line.</param>
+    /// <param name="width">Width of a line in cells, at least 1.</param>
     public static IReadOnlyList<StyledLine> Flow(IReadOnlyList<Piece> pieces, IReadOnlyList<Piece> optional, string separator, int width)
     {
         IReadOnlyList<StyledLine> lines = Flow(pieces, separator, width);

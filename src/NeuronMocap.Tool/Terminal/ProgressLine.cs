@@ -4,13 +4,13 @@ using Spectre.Console.Rendering;
 
 namespace NeuronMocap.Tool.Terminal;
 
-/// <summary>
-/// A progress bar for long work, in one line on standard error. It comes after a second and goes when the work is done. There is none where
-/// standard error is no terminal. One thread at a time.
-/// </summary>
-/// <param name="streams">Where the program writes to.</param>
-/// <param name="work">The work in a few words.</param>
-/// <param name="delay">When the bar comes; a second unless given.</param>
+/// <summary>A progress bar for long work, in one line on standard error.</summary>
+/// <remarks>
+/// The bar appears after a second and disappears when the work is done. If standard error is not a terminal, no bar appears. Not thread-safe.
+/// </remarks>
+/// <param name="streams">The streams of the program.</param>
+/// <param name="work">Short description of the work.</param>
+/// <param name="delay">Delay before the bar appears; null for a second.</param>
 internal sealed class ProgressLine(StandardStreams streams, string work, TimeSpan? delay = null) : IProgress<double>, IDisposable
 {
     private const string ShowCursor = "\e[?25h";
@@ -27,8 +27,8 @@ internal sealed class ProgressLine(StandardStreams streams, string work, TimeSpa
     private double _value;
     private Task? _showing;
 
-    /// <summary>Tells how far the work is; may be called for every frame. A value far below the last one begins the next step of the work.</summary>
-    /// <param name="value">The part of the step that is done, 0 to 1.</param>
+    /// <summary>Reports progress. It may be called for every frame. A value far below the last one starts the next step of the work.</summary>
+    /// <param name="value">Progress of the step, 0 to 1.</param>
     public void Report(double value)
     {
         if (value < _value - Fall)
@@ -39,7 +39,7 @@ internal sealed class ProgressLine(StandardStreams streams, string work, TimeSpa
             _showing = Task.Factory.StartNew(Show, CancellationToken.None, TaskCreationOptions.LongRunning, TaskScheduler.Default);
     }
 
-    /// <summary>Takes the bar away.</summary>
+    /// <summary>Removes the bar.</summary>
     public void Dispose()
     {
         _end.Set();
@@ -47,16 +47,16 @@ internal sealed class ProgressLine(StandardStreams streams, string work, TimeSpa
         _end.Dispose();
     }
 
-    /// <summary>Restores the terminal after work that was given up and may still show its bar.</summary>
+    /// <summary>Restores the terminal after work that was abandoned and may still show its bar.</summary>
     public static void Abandon(StandardStreams streams)
     {
         if (streams.IsErrorTerminal)
             streams.Error.WriteLine(ShowCursor);
     }
 
-    /// <summary>The time that is left, as far as the time so far tells.</summary>
-    /// <param name="value">The part that is done, 0 to 1.</param>
-    /// <param name="elapsed">The time so far.</param>
+    /// <summary>Describes the remaining time, estimated from the elapsed time.</summary>
+    /// <param name="value">Progress, 0 to 1.</param>
+    /// <param name="elapsed">The elapsed time.</param>
     public static string DescribeRest(double value, TimeSpan elapsed)
     {
         double seconds = value > 0 ? Math.Ceiling(elapsed.TotalSeconds * (1 - value) / value) : double.PositiveInfinity;
@@ -86,7 +86,7 @@ internal sealed class ProgressLine(StandardStreams streams, string work, TimeSpa
         }
         catch (IOException)
         {
-            // The terminal is gone. The work goes on.
+            // The terminal was closed. The work goes on.
         }
     }
 
@@ -105,7 +105,7 @@ internal sealed class ProgressLine(StandardStreams streams, string work, TimeSpa
 
     private sealed record Step(int Number, long Start);
 
-    // Spectre's own column counts from the moment at which the bar comes.
+    // Spectre's own column measures from the appearance of the bar.
     private sealed class RestColumn(ProgressLine line) : ProgressColumn
     {
         public override IRenderable Render(RenderOptions options, ProgressTask task, TimeSpan deltaTime) =>

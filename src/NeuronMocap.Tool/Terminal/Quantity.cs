@@ -2,7 +2,7 @@ using System.Globalization;
 
 namespace NeuronMocap.Tool.Terminal;
 
-/// <summary>Numbers for people, in few characters.</summary>
+/// <summary>Formats readable numbers with few characters.</summary>
 internal static class Quantity
 {
     public static string Bytes(double bytes) => bytes switch
@@ -13,7 +13,7 @@ internal static class Quantity
         _ => Format($"{bytes / 1e9:0.0} GB"),
     };
 
-    /// <summary>The size of memory, in powers of 1024.</summary>
+    /// <summary>Formats the size of memory, in powers of 1024.</summary>
     public static string Memory(double bytes) => bytes switch
     {
         < 1024 => Format($"{bytes:0} B"),

@@ -4,21 +4,21 @@ using Spectre.Console.Rendering;
 
 namespace NeuronMocap.Tool.Terminal;
 
-/// <summary>
-/// The terminal's alternate screen. It draws into memory and sends only the lines that changed, in one write, so nothing flickers.
-/// Disposing of it restores the terminal.
-/// </summary>
+/// <summary>The terminal's alternate screen.</summary>
+/// <remarks>
+/// It draws into memory and sends only the changed lines, in one write, so that nothing flickers. Disposing it restores the terminal.
+/// </remarks>
 internal sealed class Screen : IDisposable
 {
     private const string Enter = "\e[?1049h";
 
-    // A terminal without an alternate screen keeps what is not erased.
+    // A terminal without an alternate screen keeps everything that is not erased.
     private const string Leave = "\e[?7h\e[?25h\e[2J\e[H\e[?1049l";
 
-    // No cursor, no wrapping at the edge, nothing on the screen.
+    // Hides the cursor, switches off wrapping at the edge, and clears the screen.
     private const string Clear = "\e[?25l\e[?7l\e[2J";
 
-    // A terminal that knows these shows what is between them at once. Others ignore them.
+    // A terminal that knows these sequences shows the text between them at once. Others ignore them.
     private const string BeginUpdate = "\e[?2026h";
     private const string EndUpdate = "\e[?2026l";
 
@@ -50,7 +50,7 @@ internal sealed class Screen : IDisposable
     /// <summary>Whether the terminal can move the cursor, which the view needs.</summary>
     public static bool IsSupported => CanMoveCursor(Console.Out);
 
-    /// <summary>Columns of the window. Some terminals do not know their size and say 0.</summary>
+    /// <summary>Columns of the window. Some terminals do not know their size and report 0.</summary>
     public static int Width => Console.WindowWidth is > 0 and var width ? width : UsualWidth;
 
     /// <summary>Lines of the window.</summary>
@@ -60,7 +60,7 @@ internal sealed class Screen : IDisposable
     public static bool CanMoveCursor(TextWriter terminal) => !string.Equals(Environment.GetEnvironmentVariable("TERM"), "dumb", StringComparison.Ordinal)
         && AnsiConsole.Create(new AnsiConsoleSettings { Out = new AnsiConsoleOutput(terminal) }).Profile.Capabilities.Ansi;
 
-    /// <summary>Sends the next picture as a whole, because another program wrote to the terminal. Any thread.</summary>
+    /// <summary>Makes the next picture complete, because another program wrote to the terminal. Thread-safe.</summary>
     public void Invalidate() => _isStale = true;
 
     public void Show(IRenderable view, int width, int height)
@@ -112,11 +112,11 @@ internal sealed class Screen : IDisposable
         }
         catch (IOException)
         {
-            // The terminal is gone. The system sends a signal, which ends the program.
+            // The terminal was closed. The system sends a signal, which ends the program.
         }
     }
 
-    // Each line covers the old one. Erasing first would flicker.
+    // Each line covers the old one, because erasing first would flicker.
     private sealed class FullLines(IRenderable view) : Renderable
     {
         protected override IEnumerable<Segment> Render(RenderOptions options, int maxWidth)

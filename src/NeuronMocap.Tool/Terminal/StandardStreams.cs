@@ -2,24 +2,24 @@ using Microsoft.Win32.SafeHandles;
 
 namespace NeuronMocap.Tool.Terminal;
 
-/// <summary>Where the program writes to; tests put memory in its place.</summary>
-/// <param name="Output">Standard output; it throws an <see cref="IOException"/> when nobody reads it any more.</param>
+/// <summary>The streams that the program writes to. Tests replace them by memory.</summary>
+/// <param name="Output">Standard output. It throws an <see cref="IOException"/> when its reader has closed it.</param>
 /// <param name="Error">Standard error.</param>
-/// <param name="IsTerminal">Whether a person looks at the output.</param>
+/// <param name="IsTerminal">Whether the output is a terminal.</param>
 internal sealed record StandardStreams(Stream Output, TextWriter Error, bool IsTerminal) : IDisposable
 {
-    // Unwrapped where no person looks: a program that searches the text finds every phrase in one line.
+    // Text outside a terminal is not wrapped, so that a search finds every phrase in one line.
     private const int Unlimited = 100_000;
 
-    // Some terminals do not know their size, and say 0; Spectre.Console does not come to an end with less than a table's columns take.
+    // Some terminals do not know their size and report 0. Spectre.Console loops forever if the width is less than the columns of a table need.
     private const int NarrowestText = 40;
 
     private const int StandardOutput = 1;
 
-    /// <summary>Whether a person looks at standard error, in a terminal that can move its cursor.</summary>
+    /// <summary>Whether standard error is a terminal that can move its cursor.</summary>
     public bool IsErrorTerminal { get; init; }
 
-    /// <summary>Characters in a line of the terminal, as it says itself.</summary>
+    /// <summary>Characters in a line, as the terminal reports them.</summary>
     public int Columns { get; init; }
 
     public static StandardStreams Open() => new(OpenOutput(), Console.Error, IsTerminal: !Console.IsOutputRedirected)
@@ -28,12 +28,12 @@ internal sealed record StandardStreams(Stream Output, TextWriter Error, bool IsT
         Columns = Console.IsOutputRedirected ? 0 : Screen.Width,
     };
 
-    /// <summary>How wide lines of text become.</summary>
-    /// <param name="widest">Longer lines are hard to read.</param>
+    /// <summary>Gets the width of lines of text.</summary>
+    /// <param name="widest">Maximum width, because longer lines are hard to read.</param>
     public int TextWidth(int widest) => IsTerminal ? Math.Clamp(Columns, NarrowestText, widest) : Unlimited;
 
-    /// <summary>Writes one line to standard error. Every line there begins with the name of the program.</summary>
-    /// <param name="message">A sentence; what a terminal would obey is replaced.</param>
+    /// <summary>Writes one line to standard error. Every such line starts with the name of the program.</summary>
+    /// <param name="message">A sentence. Control characters for a terminal are replaced.</param>
     public void Complain(string message) => Error.WriteLine(LineOf(message));
 
     /// <inheritdoc cref="Complain"/>
@@ -43,8 +43,8 @@ internal sealed record StandardStreams(Stream Output, TextWriter Error, bool IsT
 
     private static string LineOf(string message) => $"{CommandLine.Name}: {TerminalText.Clean(message)}";
 
-    // The console's own stream passes over a broken pipe in silence, so that `neuron-mocap watch --json | head -1` would never end; a FileStream
-    // throws. A regular file cannot break, and a FileStream would not move the position that the shell shares with the next program.
+    // The console's own stream silently ignores a broken pipe, so `neuron-mocap watch --json | head -1` would never end. A FileStream throws. A
+    // regular file cannot break, and a FileStream would not move the position that the shell shares with the next program.
     private static Stream OpenOutput()
     {
         if (OperatingSystem.IsWindows() || !Console.IsOutputRedirected)

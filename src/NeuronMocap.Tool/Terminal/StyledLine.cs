@@ -3,7 +3,7 @@ using Spectre.Console.Rendering;
 
 namespace NeuronMocap.Tool.Terminal;
 
-/// <summary>One line of text, with some of it at the right edge. Text that does not fit is cut off, on the left part first.</summary>
+/// <summary>A line of text with optional text at the right edge. Text that does not fit is cut off, starting with the left part.</summary>
 internal sealed class StyledLine : Renderable
 {
     private readonly List<Segment> _left = [];
@@ -34,7 +34,7 @@ internal sealed class StyledLine : Renderable
         return this;
     }
 
-    /// <summary>Adds text that means something by its colour alone. A terminal without colours does not show it.</summary>
+    /// <summary>Adds text whose meaning is only its colour. A terminal without colours does not show it.</summary>
     public StyledLine AddColouredRight(string text, Style style)
     {
         _colouredRight.Add(new Segment(TerminalText.Clean(text), style));

@@ -4,21 +4,24 @@ using System.Text.Encodings.Web;
 
 namespace NeuronMocap.Tool.Terminal;
 
-/// <summary>
-/// Text from the network or from a file, made fit for a terminal and for one line. Whoever writes text to a terminal, a log or a picture calls
-/// <see cref="Clean"/> right there, so that no text passes by; JSON keeps the exact text and escapes the same characters: <see cref="JsonEncoder"/>.
-/// </summary>
+/// <summary>Makes text from the network or from a file safe for a terminal and for one line.</summary>
+/// <remarks>
+/// Code that writes text to a terminal, a log or a picture calls <see cref="Clean"/> directly there, so that no text is missed. JSON keeps the exact
+/// text and escapes the same characters: see <see cref="JsonEncoder"/>.
+/// </remarks>
 internal static class TerminalText
 {
     private const char Replacement = '·';
 
-    /// <summary>Writes text as it is, with an escape for each character that <see cref="Clean"/> would replace.</summary>
+    /// <summary>Writes text unchanged, with an escape for each character that <see cref="Clean"/> would replace.</summary>
     public static JavaScriptEncoder JsonEncoder { get; } = CreateJsonEncoder();
 
-    /// <summary>
-    /// Replaces what moves the cursor, begins an escape sequence, ends the line, or turns the direction of the letters around it: control characters,
-    /// C1 included, format characters such as U+202E, separators of lines, halves of surrogate pairs, and what is no character.
-    /// </summary>
+    /// <summary>Replaces characters that are unsafe in a terminal.</summary>
+    /// <remarks>
+    /// Unsafe characters can move the cursor, start an escape sequence, end the line, or change the direction of the letters around them. They are
+    /// control characters including C1, format characters such as U+202E, line separators, halves of surrogate pairs, and code points without a
+    /// character.
+    /// </remarks>
     public static string Clean(string text)
     {
         int first = FindUnsafe(text, 0);
@@ -41,7 +44,7 @@ internal static class TerminalText
     {
         for (int i = start; i < text.Length;)
         {
-            // Half of a surrogate pair decodes to another character than itself.
+            // Half of a surrogate pair decodes to another character.
             if (Rune.DecodeFromUtf16(text.AsSpan(i), out Rune rune, out int length) != System.Buffers.OperationStatus.Done || !IsSafe(rune))
                 return i;
 
@@ -51,7 +54,7 @@ internal static class TerminalText
         return -1;
     }
 
-    // The joiners shape letters of some scripts, and emoji; they turn nothing around.
+    // The joiners shape letters of some scripts and emoji. They do not change the direction of text.
     private static bool IsSafe(Rune rune) => rune.Value is 0x200C or 0x200D
         || ((rune.Value & 0xFFFE) != 0xFFFE && Rune.GetUnicodeCategory(rune) is not
             (UnicodeCategory.Control or UnicodeCategory.Format or UnicodeCategory.LineSeparator or UnicodeCategory.ParagraphSeparator));

@@ -3,16 +3,18 @@ using Spectre.Console;
 
 namespace NeuronMocap.Tool.Terminal;
 
-/// <summary>Text for a person: in colours and wrapped on a terminal, plain and unwrapped elsewhere, so that a search finds every phrase in one line.</summary>
+/// <summary>
+/// Readable text: in colours and wrapped on a terminal, otherwise plain and unwrapped. A search then finds every phrase in one line.
+/// </summary>
 internal sealed class TextPage
 {
     private const int Indent = 2;
 
     private readonly bool _isTerminal;
 
-    /// <summary>Begins on standard output.</summary>
-    /// <param name="streams">Where to write. What cannot be written throws an <see cref="IOException"/>.</param>
-    /// <param name="widest">Longer lines are hard to read.</param>
+    /// <summary>Creates a page on standard output.</summary>
+    /// <param name="streams">The streams. Writing throws an <see cref="IOException"/> if it fails.</param>
+    /// <param name="widest">Maximum width, because longer lines are hard to read.</param>
     public TextPage(StandardStreams streams, int widest)
     {
         _isTerminal = streams.IsTerminal;
@@ -27,7 +29,7 @@ internal sealed class TextPage
         Console.Profile.Width = Width;
     }
 
-    /// <summary>The page itself.</summary>
+    /// <summary>The console of the page.</summary>
     public IAnsiConsole Console { get; }
 
     /// <summary>Characters in a line.</summary>
@@ -41,17 +43,17 @@ internal sealed class TextPage
         Console.WriteLine();
     }
 
-    /// <summary>A label, and beside it a text that may take several lines; without a label a text with an indent.</summary>
-    /// <param name="label">What the text is about.</param>
-    /// <param name="width">Of the label's column; 0 for none.</param>
+    /// <summary>Writes a label, and beside it a text of one or more lines. Without a label, the text is indented.</summary>
+    /// <param name="label">The label.</param>
+    /// <param name="width">Width of the label's column; 0 for none.</param>
     /// <param name="text">The text.</param>
-    /// <param name="labelStyle">How the label looks; dim unless given.</param>
+    /// <param name="labelStyle">Style of the label; dim by default.</param>
     public void WriteRow(string label, int width, string text, Style? labelStyle = null)
     {
         (label, string clean) = (TerminalText.Clean(label), TerminalText.Clean(text));
         if (!_isTerminal)
         {
-            // A grid pads its lines to their full width.
+            // A grid pads its lines to full width.
             Console.WriteLine(width == 0 ? $"  {clean}" : $"  {label.PadRight(width)}  {clean}");
             return;
         }

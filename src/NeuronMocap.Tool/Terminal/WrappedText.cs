@@ -2,15 +2,15 @@ using Spectre.Console.Rendering;
 
 namespace NeuronMocap.Tool.Terminal;
 
-/// <summary>Breaks text into lines, for views that need to know how many lines there are.</summary>
+/// <summary>Breaks text into lines, for views that need to know the number of lines.</summary>
 internal static class WrappedText
 {
     /// <summary>
-    /// Breaks text between its words. If there are too many lines, the first ones are left out: the end names the setting to change.
+    /// Breaks text between words. If there are too many lines, the first ones are left out, because the end names the setting to change.
     /// </summary>
-    /// <param name="text">One line, fit for a terminal.</param>
-    /// <param name="width">Cells of a line, at least 1.</param>
-    /// <param name="most">Most lines.</param>
+    /// <param name="text">One line, safe for a terminal.</param>
+    /// <param name="width">Width of a line in cells, at least 1.</param>
+    /// <param name="most">Maximum number of lines.</param>
     public static IReadOnlyList<string> Break(string text, int width, int most)
     {
         var lines = new List<string>();
@@ -41,7 +41,7 @@ internal static class WrappedText
         return end;
     }
 
-    // A word that is longer than a line, such as the name of a host.
+    // Breaks a word that is longer than a line, such as the name of a host.
     private static IEnumerable<string> Cut(string word, int width)
     {
         int start = 0;

@@ -2,14 +2,14 @@ using NeuronMocap.Tool.Output;
 
 namespace NeuronMocap.Tool.Watch;
 
-/// <summary>Finds the one line on standard error for a run that ends without a frame, or with frames that something is wrong with.</summary>
+/// <summary>Finds the one line on standard error for a run that ends without a frame, or with faulty frames.</summary>
 internal sealed class FailureMessage
 {
     private readonly Lock _lock = new();
     private ConnectionStatus _problem;
     private ConnectionStatus _receiving;
 
-    /// <summary>Remembers what went wrong last: the run may end in the middle of the next attempt. Any thread.</summary>
+    /// <summary>Remembers the last problem, because the run may end in the middle of the next attempt. Thread-safe.</summary>
     public void OnStatus(ConnectionStatus status)
     {
         if (status.State == ConnectionState.Receiving)
@@ -25,16 +25,16 @@ internal sealed class FailureMessage
             _problem = status;
     }
 
-    /// <summary>Says what was wrong when frames last arrived: the calculation port for example. Null when nothing was.</summary>
+    /// <summary>Describes the problem while frames last arrived, for example with the calculation port. Null if there was none.</summary>
     public string? DescribeReceiving()
     {
         lock (_lock)
             return _receiving.Reason == ConnectionReason.None ? null : _receiving.Describe();
     }
 
-    /// <summary>Says what to look at.</summary>
+    /// <summary>Describes what to check.</summary>
     /// <param name="status">The state at the end of the run.</param>
-    /// <param name="statistics">The reader's figures.</param>
+    /// <param name="statistics">The statistics of the reader.</param>
     public string Describe(ConnectionStatus status, ReaderStatistics statistics)
     {
         ConnectionStatus problem;
@@ -42,9 +42,9 @@ internal sealed class FailureMessage
             problem = _problem;
 
         if (problem.Reason == ConnectionReason.EndOfRecording)
-            return $"{problem.Describe()} No frame is in it.";
+            return $"{problem.Describe()} It holds no frames.";
 
-        // The run ended before the silence check of the reader could say what the bytes were.
+        // The run ended before the reader's silence check could identify the bytes.
         if (statistics.BytesSkipped > 0 && problem.Reason == ConnectionReason.None)
         {
             return $"{statistics.BytesSkipped} bytes arrived, but no packet of this protocol. Check the port, and that the server's "

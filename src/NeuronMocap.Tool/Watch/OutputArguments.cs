@@ -4,7 +4,7 @@ using NeuronMocap.Tool.Arguments;
 
 namespace NeuronMocap.Tool.Watch;
 
-/// <summary>The options that say how frames are shown, and for how long.</summary>
+/// <summary>The options for the format and the duration of the output.</summary>
 internal sealed class OutputArguments
 {
     private readonly Option<bool> _json = CommonOptions.Json(
@@ -19,7 +19,7 @@ internal sealed class OutputArguments
 
     public void RejectContradictions(CommandResult result) => Verb.RejectBoth(result, _json, _quiet);
 
-    /// <summary>Options that say no more than this.</summary>
+    /// <summary>Creates watch options with only these settings.</summary>
     public WatchOptions Read(ParseResult result) => new()
     {
         Frames = result.GetValue(_frames),

@@ -6,10 +6,10 @@ using NeuronMocap.Tool.Watch.Recordings;
 
 namespace NeuronMocap.Tool.Watch;
 
-/// <summary>How the frames are shown.</summary>
+/// <summary>The formats of the output.</summary>
 internal enum OutputKind
 {
-    /// <summary>The live view on a terminal, else one plain line a second.</summary>
+    /// <summary>The live view on a terminal; otherwise one plain line a second.</summary>
     Person,
 
     /// <summary>Every frame and every change of the state, one JSON object a line.</summary>
@@ -19,7 +19,7 @@ internal enum OutputKind
     Quiet,
 }
 
-/// <summary>What the command line asks for.</summary>
+/// <summary>Settings of a run, from the command line.</summary>
 internal sealed record WatchOptions
 {
     private static readonly TimeSpan LongestSilence = TimeSpan.FromSeconds(3);
@@ -40,7 +40,7 @@ internal sealed record WatchOptions
     /// <summary>Whether a simulator inside this process is the server.</summary>
     public bool IsDemo => Server is null && UdpPort is null && Play is null;
 
-    /// <summary>What is received from, as a word of the command line.</summary>
+    /// <summary>The source, as an argument of the command line.</summary>
     public string Source => this switch
     {
         { Play: { } play } => play.File,
@@ -49,35 +49,37 @@ internal sealed record WatchOptions
         _ => Arguments.Source.Demo.ToString(),
     };
 
-    /// <summary>Null to find it out; the demo then has YXZ.</summary>
+    /// <summary>The rotation order. Null to detect it; the demo then uses YXZ.</summary>
     public RotationOrder? RotationOrder { get; init; }
 
-    /// <summary>Where to ask for what the stream does not say; null for nowhere.</summary>
+    /// <summary>Port of the command channel, for information that the stream lacks; null for none.</summary>
     public int? CommandPort { get; init; }
 
-    /// <summary>Where calculation data come from besides; null for nowhere.</summary>
+    /// <summary>Port of additional calculation data; null for none.</summary>
     public int? CalculationPort { get; init; }
 
-    /// <summary>The file to show; null for a server's stream.</summary>
+    /// <summary>The file to play; null for a server's stream.</summary>
     public PlaySettings? Play { get; init; }
 
     public bool Once { get; init; }
 
-    /// <summary>The BVH file to write meanwhile; null for none.</summary>
+    /// <summary>The BVH file to write at the same time; null for none.</summary>
     public ExportSettings? Export { get; init; }
 
-    /// <summary>What to record to; null to record nothing.</summary>
+    /// <summary>The recording to write; null for none.</summary>
     public RecordingSettings? Recording { get; init; }
 
-    /// <summary>Number of frames, motion and calculation together, to end after; null for no end.</summary>
+    /// <summary>Number of motion and calculation frames after which the run ends; null for no limit.</summary>
     public long? Frames { get; init; }
 
-    /// <summary>Time to end after; null for no end, and for a diagnosis in its own time.</summary>
+    /// <summary>Time after which the run ends. Null for no limit, or for the default time of a diagnosis.</summary>
     public TimeSpan? Duration { get; init; }
 
     public OutputKind Output { get; init; }
 
-    /// <summary>What is wrong with values that are each right by themselves, in words of this program; null when nothing is.</summary>
+    /// <summary>
+    /// Finds values that are valid separately but not together, and describes the fault in words of this program. Null if there is none.
+    /// </summary>
     public string? FindFault()
     {
         try
@@ -91,7 +93,7 @@ internal sealed record WatchOptions
         }
     }
 
-    /// <summary>Options of the reader.</summary>
+    /// <summary>Creates the options of the reader.</summary>
     /// <param name="server">The TCP server to connect to: <see cref="Server"/>, or the demo's.</param>
     public NeuronReaderOptions ToReaderOptions(ServerAddress? server)
     {
@@ -112,7 +114,7 @@ internal sealed record WatchOptions
             options.AllowedSenders = AllowedSenders;
         }
 
-        // Over UDP a server is the computer at which a diagnosis looks for the stream when nothing arrives.
+        // Over UDP, the server is the computer on which a diagnosis looks for the stream if nothing arrives.
         if (server is { } address)
         {
             options.Host = address.Host;
@@ -123,7 +125,7 @@ internal sealed record WatchOptions
         return options;
     }
 
-    // A run that is shorter than the reader's patience would end before the reader says what is wrong.
+    // In a short run, the normal time-out of the reader would come too late to describe the problem.
     private TimeSpan WithinHalfOfDuration(TimeSpan longest) =>
         TimeSpan.FromSeconds(Math.Clamp(Duration?.TotalSeconds / 2 ?? double.MaxValue, 0.1, longest.TotalSeconds));
 }

@@ -11,7 +11,7 @@ using NeuronMocap.Tool.Watch.Recordings;
 
 namespace NeuronMocap.Tool.Watch;
 
-/// <summary>One run of the program: a reader, an output, and whatever ends first.</summary>
+/// <summary>One run of the program, with a reader and an output. It ends with its stream, its limit, a failure or a request of the user.</summary>
 internal sealed class WatchRun(WatchOptions options, StandardStreams streams)
 {
     private readonly TaskCompletionSource<ReaderStatistics> _limitReached = new(TaskCreationOptions.RunContinuationsAsynchronously);
@@ -65,7 +65,7 @@ internal sealed class WatchRun(WatchOptions options, StandardStreams streams)
         await stopSource.CancelAsync();
         await showing;
 
-        // At the last frame that was asked for, the receive thread took the figures; what came before it stopped does not count.
+        // At the last requested frame, the receive thread took the statistics. Later frames do not count.
         ReaderStatistics statistics = _limitReached.Task.IsCompleted ? await _limitReached.Task : reader.GetStatistics();
         output.Finish(statistics);
         bool isExported = export.TryFinish(streams);
@@ -75,7 +75,7 @@ internal sealed class WatchRun(WatchOptions options, StandardStreams streams)
         if (!isExported || !isRecorded)
             return CommandLine.NothingReceived;
 
-        // The lines of --json say it themselves.
+        // The lines of --json contain it.
         if (options.Output != OutputKind.Json && _failure.DescribeReceiving() is { } doubt)
             await streams.ComplainAsync(doubt);
         if (asked || TakeRecorder.CountFrames(statistics) > 0)
@@ -98,7 +98,7 @@ internal sealed class WatchRun(WatchOptions options, StandardStreams streams)
         _ => new LineOutput(reader, streams.Output),
     };
 
-    // Who shows nothing, and has no file left to write. What else is shown goes on when a file fails.
+    // Ends a run without output when no file is left to write. Other outputs go on when a file fails.
     private Task NothingToDoAsync(ExportRun export, TakeRecorder takes)
     {
         Task?[] files = [export.Broken, takes.Broken];
@@ -142,7 +142,7 @@ internal sealed class WatchRun(WatchOptions options, StandardStreams streams)
         };
     }
 
-    // Receive thread: its figures stand still while it is here.
+    // Runs on the receive thread, so the statistics do not change meanwhile.
     private void Count(NeuronReader reader)
     {
         if (++_frames == options.Frames)

@@ -9,7 +9,7 @@ using NeuronMocap.Tool.Watch.Recordings;
 
 namespace NeuronMocap.Tool.Watch;
 
-/// <summary>neuron-mocap watch: shows what a source sends.</summary>
+/// <summary>neuron-mocap watch: shows the frames of a source.</summary>
 internal sealed class WatchVerb : Verb
 {
     private readonly SourceArgument _source = new("What to receive from", "demo");
@@ -23,14 +23,14 @@ internal sealed class WatchVerb : Verb
 
     private readonly Option<RotationOrder?> _order = CommonOptions.Order(
         "--order",
-        "Order of the rotation values, a setting of the server. Default: what the stream says, which only Axis Studio's does, or the command channel "
+        "Rotation order, a setting of the server. Default: the order in the stream (Axis Studio only), or that of the command channel "
             + "(--command-port), or YXZ.");
 
     public WatchVerb()
         : base(
             "watch",
-            "Show what a server sends. On a terminal it is a live view, with the skeleton, rates and losses; redirected, one plain line a second. Positions are "
-            + "centimetres, angles degrees.")
+            "Show the frames of a source. A terminal shows a live view with the skeleton, rates and losses; otherwise one plain line a second. Positions are in "
+            + "centimetres, angles in degrees.")
     {
         Add(_source);
         AddOptions("Output", [.. _output.All, _once]);
@@ -41,11 +41,11 @@ internal sealed class WatchVerb : Verb
         Validators.Add(Reject);
     }
 
-    /// <summary>What the exit codes of this verb and of play mean.</summary>
+    /// <summary>The meaning of the exit codes of this verb and of play.</summary>
     public static IReadOnlyList<(int Code, string Meaning)> Codes { get; } =
     [
-        (CommandLine.Done, "done as asked, or ended by q, Ctrl+C or SIGTERM"),
-        (CommandLine.NothingReceived, "nothing was received, or a file could not be read or written; standard error says which setting to look at"),
+        (CommandLine.Done, "success, or ended by q, Ctrl+C or SIGTERM"),
+        (CommandLine.NothingReceived, "nothing was received, or a file could not be read or written; standard error says which setting to check"),
     ];
 
     /// <summary>The keys of the live view.</summary>
@@ -68,8 +68,8 @@ internal sealed class WatchVerb : Verb
         new("watch udp://:7012 --allow-sender 192.168.1.20", "the same, only from this sender"),
         new("watch 192.168.1.20 --calculation-port 7003", "calculation data as well, from their own port"),
         new("watch take.nmrec", "a recording, as play does"),
-        new("watch studio --record take.nmrec", "show it and keep every byte of it"),
-        new("watch studio --export take.bvh", "show it and keep it as BVH, until q or Ctrl+C"),
+        new("watch studio --record take.nmrec", "show the stream and record every byte"),
+        new("watch studio --export take.bvh", "show the stream and export it as BVH, until q or Ctrl+C"),
         new("watch studio --json --frames 100", "100 frames for another program"),
         new("watch studio --quiet --duration 10", "does anything arrive? The exit code tells"),
     ];
@@ -123,7 +123,7 @@ internal sealed class WatchVerb : Verb
         if (IsGiven(result, _once))
             result.AddError("--once is for a connection: a file is read to its end.");
         if (IsGiven(result, _recording.File))
-            result.AddError($"--record: what is shown is a file already; {CommandLine.Name} convert copies it, or a part of it.");
+            result.AddError($"--record: the source is already a file; {CommandLine.Name} convert copies it, or a part of it.");
 
         SameFile.Reject(result, ("SOURCE", file), _export.File);
     }

@@ -12,7 +12,7 @@ public sealed class TakeInfoTests : InfoPages
         File.Copy(Fixtures.Require("test-take", "test.bvh"), Folder["test.bvh"]);
         string[] page = await PageAsync("test.bvh");
 
-        Assert.StartsWith("120 Hz: the file says 0.008 s, which is 1/120 s rounded (125 Hz at its word)", Fact(page, "frame rate"), StringComparison.Ordinal);
+        Assert.StartsWith("120 Hz: the file says 0.008 s, which is 1/120 s rounded (125 Hz as stated)", Fact(page, "frame rate"), StringComparison.Ordinal);
         Assert.StartsWith("Spine3", Fact(page, "bone names"), StringComparison.Ordinal);
         Assert.Contains("  154 of the 180 values never change", page);
         Assert.StartsWith("0.000 m", Fact(page, "ground"), StringComparison.Ordinal);

@@ -7,8 +7,8 @@ public sealed class LinkerTests
 {
     [Theory]
     [InlineData("-p:CppCompilerAndLinker=no-such-compiler", "needs no-such-compiler and objcopy", "apt install gcc libc6-dev")]
-    [InlineData("-p:RuntimeIdentifier=win-x64", "win-x64 has to be published on Windows", "Desktop development with C++")]
-    [InlineData("-p:RuntimeIdentifier=osx-arm64", "osx-arm64 has to be published on macOS", "xcode-select --install")]
+    [InlineData("-p:RuntimeIdentifier=win-x64", "win-x64 must be published on Windows", "Desktop development with C++")]
+    [InlineData("-p:RuntimeIdentifier=osx-arm64", "osx-arm64 must be published on macOS", "xcode-select --install")]
     public async Task The_error_names_what_to_install(string property, string reason, string remedy)
     {
         Assert.SkipUnless(OperatingSystem.IsLinux(), "What Linux says.");

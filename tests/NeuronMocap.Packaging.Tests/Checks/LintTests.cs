@@ -23,31 +23,31 @@ public sealed class LintTests
         { Library, "the library NeuronMocap.dll does not exist", "a reference to a library that is not there" },
         { "Runtime/Libraries/NeuronMocap.xml", "Runtime/Libraries/NeuronMocap.xml is missing", "no documentation" },
         { "Runtime/Libraries/NeuronMocap.pdb", "Runtime/Libraries/NeuronMocap.pdb is missing", "no symbols" },
-        { "Compatibility/NeuronMocap.Unity.Compatibility.asmdef", "Compatibility/ScriptSession.cs belongs to no assembly", "a source of no assembly" },
+        { "Compatibility/NeuronMocap.Unity.Compatibility.asmdef", "Compatibility/ScriptSession.cs does not belong to an assembly", "a source of no assembly" },
     };
 
     public static TheoryData<string, string, string, string> Edits => new()
     {
         { $"{Definition}.meta", "guid: ", "guid: g", "asmdef.meta: no GUID" },
         { $"{Definition}.meta", "AssemblyDefinitionImporter", "DefaultImporter", "asmdef.meta: DefaultImporter instead of AssemblyDefinitionImporter" },
-        { "Runtime.meta", "folderAsset: yes\n", "", "Runtime.meta: takes a file for a folder" },
-        { "Runtime.meta", "\n", "\r\n", "Runtime.meta: has line ends of Windows" },
+        { "Runtime.meta", "folderAsset: yes\n", "", "Runtime.meta: describes a file as a folder" },
+        { "Runtime.meta", "\n", "\r\n", "Runtime.meta: has Windows line ends" },
         { $"{Library}.meta", "enabled: 1", "enabled: 0", "NeuronMocap.dll.meta: other settings" },
         { $"{Library}.meta", "isExplicitlyReferenced: 0", "isExplicitlyReferenced: 1", "NeuronMocap.dll.meta: other settings" },
-        { "Runtime/Sources/MocapSource.cs", "class MocapSource :", "class MotionSource :", "MocapSource.cs: Unity finds a component only in a file of its name" },
-        { "package.json", "\"version\": \"", "\"version\": \"v", "version has to be like 1.2.3" },
-        { "package.json", "\"version\": \"", "\"version\": \"9", "package.json of 9" },
-        { "package.json", "org.neuronmocap.unity", "NeuronMocap", "name has to be small letters" },
-        { "package.json", "\"2021.3\"", "\"2021.3.1f1\"", "unity has to be like 2021.3" },
+        { "Runtime/Sources/MocapSource.cs", "class MocapSource :", "class MotionSource :", "MocapSource.cs: Unity finds a component only in a file with its name" },
+        { "package.json", "\"version\": \"", "\"version\": \"v", "version must look like 1.2.3" },
+        { "package.json", "\"version\": \"", "\"version\": \"9", "package.json has 9" },
+        { "package.json", "org.neuronmocap.unity", "NeuronMocap", "name must be lower-case letters" },
+        { "package.json", "\"2021.3\"", "\"2021.3.1f1\"", "unity must look like 2021.3" },
         { "package.json", "\"displayName\": \"NeuronMocap\"", "\"displayName\": \"\"", "displayName is missing" },
         { "package.json", "com.unity.modules.animation", "com.other.animation", "com.other.animation is not a module" },
         { "package.json", "Samples~/VrHead", "Samples~/VrHat", "the sample Samples~/VrHat does not exist" },
         { "package.json", "Samples~/VrHead", "Samples~/VrHat", "does not list the sample Samples~/VrHead" },
         { "package.json", "Samples~/VrHead", "Runtime", "the sample Runtime does not exist" },
         { "package.json", "{", "", "package.json: " },
-        { Definition, "\"NeuronMocap.Unity\",", "\"Other\",", "is called Other" },
+        { Definition, "\"NeuronMocap.Unity\",", "\"Other\",", "has the name Other" },
         { Definition, "\"references\": []", "\"references\": [\"Missing\"]", "the assembly Missing does not exist" },
-        { Definition, "\"references\": []", "\"references\": [\"NeuronMocap.Unity.Editor\"]", "NeuronMocap.Unity.Editor is there only in the editor" },
+        { Definition, "\"references\": []", "\"references\": [\"NeuronMocap.Unity.Editor\"]", "NeuronMocap.Unity.Editor exists only in the editor" },
         { Definition, "\"references\": []", "\"references\": [\"NeuronMocap.Unity.Tests.PlayMode\"]", "is a test" },
         { Definition, "\"references\": []", "\"references\": [\"UnityEngine.TestRunner\"]", "the assembly UnityEngine.TestRunner does not exist" },
         { Definition, "\"NeuronMocap.dll\"", "\"Other.dll\"", "the library Other.dll does not exist" },
@@ -55,8 +55,8 @@ public sealed class LintTests
         { "Editor/NeuronMocap.Unity.Editor.asmdef", "\"Editor\"\n", "", "would be part of applications" },
         { "Tests/PlayMode/NeuronMocap.Unity.Tests.PlayMode.asmdef", "UNITY_INCLUDE_TESTS", "OTHER", "tests are under Tests" },
         { "Tests/PlayMode/NeuronMocap.Unity.Tests.PlayMode.asmdef", "\"autoReferenced\": false", "\"autoReferenced\": true", "not referenced automatically" },
-        { Source, "#nullable enable", "", "does not say #nullable enable" },
-        { Source, "namespace NeuronMocap.Unity", "namespace Other", "is in no namespace of the package" },
+        { Source, "#nullable enable", "", "lacks #nullable enable" },
+        { Source, "namespace NeuronMocap.Unity", "namespace Other", "does not use a namespace of the package" },
         { Source, "#if UNITY_EDITOR", "#if DEBUG", "uses the editor outside #if UNITY_EDITOR" },
         { Source, "#if UNITY_EDITOR", "#if UNITY_EDITOR || DEBUG", "uses the editor outside #if UNITY_EDITOR" },
         { Source, "#if UNITY_EDITOR", "#if UNITY_EDITOR\n#else", "uses the editor outside #if UNITY_EDITOR" },
@@ -106,7 +106,7 @@ public sealed class LintTests
             files[path] = files[Library];
             files[$"{path}.meta"] = Encoding.UTF8.GetBytes(MetaFile.Create(path, isFolder: false, MetaFile.DeriveGuid(path)));
         });
-        Assert.Equal([$"{path}: is none of our libraries"], PackageLint.Check(package));
+        Assert.Equal([$"{path}: is not one of our libraries"], PackageLint.Check(package));
     }
 
     [Fact]
@@ -127,7 +127,7 @@ public sealed class LintTests
         StagedPackage package = ThePackage.With(static files => files[Library] = File.ReadAllBytes(typeof(LintTests).Assembly.Location));
         Assert.Contains(PackageLint.Check(package), static problem => problem.Contains("needs System.Runtime", StringComparison.Ordinal));
         Assert.Contains(PackageLint.Check(package), static problem => problem.Contains("needs xunit", StringComparison.Ordinal));
-        Assert.Contains(PackageLint.Check(package), static problem => problem.Contains("is lost when Unity strips code", StringComparison.Ordinal));
+        Assert.Contains(PackageLint.Check(package), static problem => problem.Contains("Unity strips members that are only found by reflection", StringComparison.Ordinal));
     }
 
     [Fact]
@@ -135,7 +135,7 @@ public sealed class LintTests
     {
         string symbols = Path.ChangeExtension(typeof(LintTests).Assembly.Location, ".pdb");
         StagedPackage package = ThePackage.With(files => files["Runtime/Libraries/NeuronMocap.pdb"] = File.ReadAllBytes(symbols));
-        Assert.True(Finds(package, "a path of the machine it was built on"));
+        Assert.True(Finds(package, "a path of the computer that built it"));
     }
 
     [Fact]
@@ -148,7 +148,7 @@ public sealed class LintTests
             files[path] = Encoding.UTF8.GetBytes($"m_Script: {{fileID: 11500000, guid: {guid}, type: 3}}\nm_Mesh: {{fileID: 1, guid: 0000000000000000e000000000000000, type: 0}}\n");
             files[$"{path}.meta"] = Encoding.UTF8.GetBytes(MetaFile.Create(path, isFolder: false, MetaFile.DeriveGuid(path)));
         });
-        Assert.Equal([$"{path}: refers to {guid}, which is nothing in the package"], PackageLint.Check(package));
+        Assert.Equal([$"{path}: refers to {guid}, which is not in the package"], PackageLint.Check(package));
     }
 
     private static bool Finds(StagedPackage package, string finding) =>

@@ -40,7 +40,7 @@ public sealed class InfoRateTests : InfoPages
         Takes.StraightWalk(frames: 3).Save(Folder["walk.bvh"]);
         ToolResult result = await ToolRunner.RunAsync("info", Folder["walk.bvh"], "--rate", "60");
         Assert.Equal(1, result.ExitCode);
-        Assert.Contains("walk.bvh has times of its own", Assert.Single(result.Error), StringComparison.Ordinal);
+        Assert.Contains("walk.bvh has its own times", Assert.Single(result.Error), StringComparison.Ordinal);
     }
 
     // An export has no place for its rate: 60 Hz become 120 unless somebody says so.

@@ -167,7 +167,7 @@ public sealed class SimulatorProcessTests
         string help = string.Join(' ', (await simulator.Output.ReadToEndAsync(TestContext.Current.CancellationToken)).Split((char[]?)null, StringSplitOptions.RemoveEmptyEntries));
         Assert.Contains("--calculation-port", help, StringComparison.Ordinal);
         Assert.Contains("Default without PORT: 7003.", help, StringComparison.Ordinal);
-        Assert.Contains("b12 library crash on these", help, StringComparison.Ordinal);
+        Assert.Contains("b12 library crash on the packets of Axis Studio", help, StringComparison.Ordinal);
     }
 
     [Fact]
@@ -207,9 +207,9 @@ public sealed class SimulatorProcessTests
     }
 
     [Theory]
-    [InlineData("binary", "header 1.1.0.0, calculation packets on a port of their own")]
-    [InlineData("text", "text with 2 decimals, calculation lines on a port of their own")]
-    [InlineData("studio", "as Axis Studio, header 1.1.0.1, its calculation packets on a port of their own")]
+    [InlineData("binary", "header 1.1.0.0, calculation packets on a separate port")]
+    [InlineData("text", "text with 2 decimals, calculation lines on a separate port")]
+    [InlineData("studio", "as Axis Studio, header 1.1.0.1, its calculation packets on a separate port")]
     public async Task Calculation_has_its_own_announced_port(string format, string description)
     {
         using var simulator = new ToolProcess(

@@ -84,7 +84,7 @@ public sealed class ExportTests : IDisposable
         using FrameServer server = FrameServer.Sending(FrameServer.Calculation(1, 2));
         ToolResult result = await ToolRunner.RunAsync("watch", server.Address, "--once", "--quiet", "--export", Target);
 
-        Assert.Equal("neuron-mocap: no motion frame came, and no file was written.", Assert.Single(result.Error));
+        Assert.Equal("neuron-mocap: no motion frame arrived, so no file was written.", Assert.Single(result.Error));
         Assert.False(File.Exists(Target));
     }
 
@@ -103,7 +103,7 @@ public sealed class ExportTests : IDisposable
         Assert.Equal(1, result.ExitCode);
         Assert.Contains(result.Error, line => line.Contains($"the export ended early: '{Target}': the disk is full.", StringComparison.Ordinal));
         Assert.Contains("neuron-mocap: 2 frames could not be written; later frames were not exported.", result.Error);
-        Assert.DoesNotContain(result.Error, line => line.Contains("no motion frame came", StringComparison.Ordinal));
+        Assert.DoesNotContain(result.Error, line => line.Contains("no motion frame arrived", StringComparison.Ordinal));
         string told = output switch
         {
             "--json" => Assert.Single(result.OfType("fileFailed")),
@@ -127,7 +127,7 @@ public sealed class ExportTests : IDisposable
     [Theory]
     [InlineData("--overwrite needs --export or --record", "--overwrite")]
     [InlineData("--export-avatar needs --export", "--export-avatar", "1")]
-    [InlineData("is not a number of an avatar", "--export", "a.bvh", "--export-avatar", "-1")]
+    [InlineData("is not an avatar number", "--export", "a.bvh", "--export-avatar", "-1")]
     public async Task Contradictions_are_refused(string reason, params string[] args)
     {
         ToolResult result = await ToolRunner.RunAsync(["watch", .. args]);

@@ -1,9 +1,9 @@
 namespace NeuronMocap.UnityPackager.Archives;
 
-/// <summary>Writes both archives, and opens what was written again.</summary>
+/// <summary>Writes both archives, and reads them again to check them.</summary>
 internal static class ArchiveWriter
 {
-    /// <exception cref="PackagerException">What was written is not what was meant.</exception>
+    /// <exception cref="PackagerException">An archive does not contain exactly the expected files.</exception>
     public static void Write(StagedPackage package, string folder)
     {
         Directory.CreateDirectory(folder);
@@ -23,7 +23,7 @@ internal static class ArchiveWriter
     private static void Compare(IReadOnlyDictionary<string, byte[]> expected, IReadOnlyDictionary<string, byte[]> actual, string archive)
     {
         if (expected.Keys.Union(actual.Keys).FirstOrDefault(path => !AreEqual(path, expected, actual)) is { } different)
-            throw new PackagerException($"{archive}: {different} is missing, too much or not what it was.");
+            throw new PackagerException($"{archive}: {different} is missing, unexpected or changed.");
     }
 
     private static bool AreEqual(string path, IReadOnlyDictionary<string, byte[]> expected, IReadOnlyDictionary<string, byte[]> actual) =>

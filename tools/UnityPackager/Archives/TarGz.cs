@@ -3,14 +3,16 @@ using System.IO.Compression;
 
 namespace NeuronMocap.UnityPackager.Archives;
 
-/// <summary>A gzipped tar whose bytes depend on nothing but the names and contents of the files: no times, owners or machine.</summary>
+/// <summary>
+/// A gzipped tar whose bytes depend only on the names and contents of the files. It has no times, owners or traces of the computer.
+/// </summary>
 internal static class TarGz
 {
-    // The instant that npm gives all files of its archives.
+    // The time that npm gives all files of its archives.
     private static readonly DateTimeOffset Time = new(1985, 10, 26, 8, 15, 0, TimeSpan.Zero);
 
-    /// <summary>Writes entries in the order given.</summary>
-    /// <param name="entries">Names, and contents; folders, whose names end in '/', have none.</param>
+    /// <summary>Writes entries in the given order.</summary>
+    /// <param name="entries">Names and contents. Names of folders end in '/', and folders have no content.</param>
     public static byte[] Create(IEnumerable<(string Name, byte[]? Content)> entries)
     {
         var bytes = new MemoryStream();
@@ -24,7 +26,7 @@ internal static class TarGz
         return bytes.ToArray();
     }
 
-    /// <summary>Reads the files of an archive; folders are left out.</summary>
+    /// <summary>Reads the files of an archive. Folders are left out.</summary>
     /// <exception cref="PackagerException">Two entries have the same name.</exception>
     public static Dictionary<string, byte[]> Read(byte[] archive)
     {

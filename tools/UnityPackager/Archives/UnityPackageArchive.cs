@@ -2,10 +2,11 @@ using System.Text;
 
 namespace NeuronMocap.UnityPackager.Archives;
 
-/// <summary>
-/// The package as an asset package, imported by double click or Assets > Import Package: a tar with a folder for each asset, named by its GUID, that holds
-/// the asset, its meta and its path in the project. What the package manager hides is visible there: Samples~ and Documentation~ lose the '~'.
-/// </summary>
+/// <summary>The package as an asset package. Users import it by double click or with Assets > Import Package.</summary>
+/// <remarks>
+/// It is a tar with a folder for each asset. The name of the folder is the GUID of the asset. It holds the asset, its meta and its path in the
+/// project. Folders that the package manager hides are visible in the project: Samples~ and Documentation~ lose the '~'.
+/// </remarks>
 internal static class UnityPackageArchive
 {
     public const string Root = "Assets/NeuronMocap";
@@ -14,7 +15,7 @@ internal static class UnityPackageArchive
 
     public static byte[] Create(StagedPackage package) => TarGz.Create(GetAssets(package).SelectMany(static asset => GetEntries(asset)));
 
-    /// <summary>The files by their paths in a project, metas included, as Unity would write them.</summary>
+    /// <summary>Reads the files, with their paths in a project, including metas, as Unity would write them.</summary>
     /// <exception cref="PackagerException">An asset lacks its meta or path, or the meta has another GUID than the folder.</exception>
     public static IReadOnlyDictionary<string, byte[]> Read(byte[] archive)
     {
@@ -35,7 +36,7 @@ internal static class UnityPackageArchive
         return files;
     }
 
-    /// <summary>What <see cref="Read"/> has to give.</summary>
+    /// <summary>Gets the expected result of <see cref="Read"/>.</summary>
     public static IReadOnlyDictionary<string, byte[]> FilesOf(StagedPackage package)
     {
         var files = new SortedDictionary<string, byte[]>(StringComparer.Ordinal);
@@ -59,7 +60,7 @@ internal static class UnityPackageArchive
             .OrderBy(static asset => asset.Path, StringComparer.Ordinal);
     }
 
-    // The folders that lose their '~', and all documents, have no meta in the package.
+    // Documents, and folders that lose their '~', have no meta in the package.
     private static Asset CreateAsset(StagedPackage package, string path, byte[]? content)
     {
         string visible = $"{Root}/{MakeVisible(path)}";

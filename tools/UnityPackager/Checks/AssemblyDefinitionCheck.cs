@@ -2,7 +2,9 @@ using System.Text.Json;
 
 namespace NeuronMocap.UnityPackager.Checks;
 
-/// <summary>Every source belongs to an assembly whose references are there, and an application gets none of the editor's or the tests'.</summary>
+/// <summary>
+/// Checks that every source belongs to an assembly, and that references exist. An application must not get assemblies of the editor or tests.
+/// </summary>
 internal static class AssemblyDefinitionCheck
 {
     private static readonly string[] TestAssemblies = ["UnityEngine.TestRunner", "UnityEditor.TestRunner"];
@@ -27,7 +29,7 @@ internal static class AssemblyDefinitionCheck
     {
         string path = definition.Path;
         if (AssetPath.NameOf(path) != $"{definition.Name}.asmdef")
-            yield return $"{path}: is called {definition.Name}";
+            yield return $"{path}: has the name {definition.Name}";
         if (all.Count(other => other.Name == definition.Name) > 1)
             yield return $"{path}: another assembly has this name, too";
         if (!definition.OverrideReferences)
@@ -39,7 +41,7 @@ internal static class AssemblyDefinitionCheck
             if (target is null && !(definition.IsTest && TestAssemblies.Contains(reference)))
                 yield return $"{path}: the assembly {reference} does not exist";
             if (target is { IsEditorOnly: true } && !definition.IsEditorOnly)
-                yield return $"{path}: {reference} is there only in the editor";
+                yield return $"{path}: {reference} exists only in the editor";
             if (target is { IsTest: true })
                 yield return $"{path}: {reference} is a test";
         }
@@ -61,5 +63,5 @@ internal static class AssemblyDefinitionCheck
     private static IEnumerable<string> CheckSources(IReadOnlyList<AssemblyDefinition> definitions, StagedPackage package) => package.AssetFiles
         .Where(static path => path.EndsWith(".cs", StringComparison.Ordinal))
         .Where(path => AssemblyDefinition.Owning(path, definitions) is null)
-        .Select(static path => $"{path} belongs to no assembly");
+        .Select(static path => $"{path} does not belong to an assembly");
 }

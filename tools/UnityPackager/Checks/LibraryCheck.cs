@@ -3,10 +3,12 @@ using System.Reflection.PortableExecutable;
 
 namespace NeuronMocap.UnityPackager.Checks;
 
-/// <summary>The libraries are ours and no other, stand on netstandard alone, are of the manifest's version, and tell nothing of where they were built.</summary>
+/// <summary>
+/// Checks the libraries: only our own, dependent only on netstandard, with the version of the manifest, and without paths of the build.
+/// </summary>
 internal static class LibraryCheck
 {
-    // What the projects map their root to in symbols.
+    // The root to which the projects map their folder in symbols.
     private const string MappedRoot = "/_/";
 
     private static readonly HashSet<string> PluginExtensions = new(
@@ -15,11 +17,11 @@ internal static class LibraryCheck
 
     public static IEnumerable<string> Check(StagedPackage package) =>
     [
-        .. package.Files.Keys.Where(IsForeign).Select(static path => $"{path}: is none of our libraries"),
+        .. package.Files.Keys.Where(IsForeign).Select(static path => $"{path}: is not one of our libraries"),
         .. MirroredFile.Assemblies.SelectMany(assembly => CheckAssembly(assembly, package)),
     ];
 
-    // What Unity takes for a plugin, in any case of letters.
+    // Files that Unity takes for plugins, in upper or lower case.
     private static bool IsForeign(string path) =>
         PluginExtensions.Contains(Path.GetExtension(path)) && !MirroredFile.All.Any(file => file.Path == path);
 
@@ -50,18 +52,18 @@ internal static class LibraryCheck
         {
             string name = metadata.GetString(metadata.GetAssemblyReference(handle).Name);
             if (name != "netstandard" && !MirroredFile.Assemblies.Contains(name))
-                yield return $"needs {name}, which Unity may not have, or may have twice";
+                yield return $"needs {name}, which Unity may lack or have twice";
         }
 
         foreach (string member in FindReflection(metadata))
-            yield return $"uses {member}: what is found by reflection is lost when Unity strips code, and needs a [Preserve]";
+            yield return $"uses {member}: Unity strips members that are only found by reflection, unless they have [Preserve]";
 
         Version actual = metadata.GetAssemblyDefinition().Version;
         if (!version.StartsWith(actual.ToString(3), StringComparison.Ordinal))
-            yield return $"is of version {actual.ToString(3)}, package.json of {version}";
+            yield return $"has version {actual.ToString(3)}, package.json has {version}";
     }
 
-    // Names of enumeration members, which stripping keeps with their type, are all that the libraries ask for at run time.
+    // At run time the libraries only look up names of enumeration members. Stripping keeps these with their type.
     private static IEnumerable<string> FindReflection(MetadataReader metadata)
     {
         foreach (MemberReferenceHandle handle in metadata.MemberReferences)
@@ -78,7 +80,7 @@ internal static class LibraryCheck
         }
     }
 
-    // The name and version of an assembly are always there.
+    // The name and version of an assembly always exist.
     private static bool FindsMembers(string type, string name) => type switch
     {
         "System.Activator" => true,
@@ -97,6 +99,6 @@ internal static class LibraryCheck
             .Select(handle => metadata.GetString(metadata.GetDocument(handle).Name))
             .Where(static name => !name.StartsWith(MappedRoot, StringComparison.Ordinal))
             .Take(1)
-            .Select(static name => $"contains {name}, a path of the machine it was built on")];
+            .Select(static name => $"contains {name}, a path of the computer that built it")];
     }
 }

@@ -3,14 +3,14 @@ using System.Text.RegularExpressions;
 
 namespace NeuronMocap.UnityPackager.Checks;
 
-/// <summary>package.json is what the package manager takes, and tells of samples that are there, and of all.</summary>
+/// <summary>Checks that the package manager accepts package.json, and that package.json lists exactly the existing samples.</summary>
 internal static partial class ManifestCheck
 {
     private const string Manifest = "package.json";
 
     private static readonly string[] Texts = ["name", "version", "displayName", "description", "unity", "license"];
 
-    /// <summary>Why there is nothing to check, or null.</summary>
+    /// <summary>Describes why the manifest cannot be checked. Null if it can.</summary>
     public static string? FindUnreadable(StagedPackage package)
     {
         if (!package.Files.TryGetValue(Manifest, out byte[]? text))
@@ -37,11 +37,11 @@ internal static partial class ManifestCheck
     private static IEnumerable<string> CheckTexts(JsonElement manifest)
     {
         if (!Name().IsMatch(GetText(manifest, "name")))
-            yield return "package.json: name has to be small letters with dots between them";
+            yield return "package.json: name must be lower-case letters with dots between them";
         if (!SemanticVersion().IsMatch(GetText(manifest, "version")))
-            yield return "package.json: version has to be like 1.2.3 or 1.2.3-preview.1";
+            yield return "package.json: version must look like 1.2.3 or 1.2.3-preview.1";
         if (!UnityVersion().IsMatch(GetText(manifest, "unity")))
-            yield return "package.json: unity has to be like 2021.3";
+            yield return "package.json: unity must look like 2021.3";
 
         if (manifest.TryGetProperty("dependencies", out JsonElement dependencies))
         {

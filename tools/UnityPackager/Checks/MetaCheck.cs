@@ -1,6 +1,6 @@
 namespace NeuronMocap.UnityPackager.Checks;
 
-/// <summary>Every file and folder that Unity imports has a meta of the right kind, with a GUID of its own, and there is no other meta.</summary>
+/// <summary>Checks that every file and folder that Unity imports has a meta of the right kind, with a unique GUID. Other metas are errors.</summary>
 internal static class MetaCheck
 {
     public static IEnumerable<string> Check(StagedPackage package)
@@ -25,11 +25,11 @@ internal static class MetaCheck
             if (MetaFile.FindImporter(meta) != MetaFile.FindImporter(expected))
                 yield return $"{path}.meta: {MetaFile.FindImporter(meta) ?? "no importer"} instead of {MetaFile.FindImporter(expected)}";
             if (path.EndsWith(".dll", StringComparison.Ordinal) && MetaFile.FindGuid(meta) is { } id && meta != MetaFile.Create(path, isFolder: false, id))
-                yield return $"{path}.meta: other settings than: on every platform and in the editor, referenced without being named";
+                yield return $"{path}.meta: other settings than: enabled on every platform and in the editor, not explicitly referenced";
             if (meta.Contains("folderAsset: yes", StringComparison.Ordinal) != folders.Contains(path))
-                yield return $"{path}.meta: takes a file for a folder, or a folder for a file";
+                yield return $"{path}.meta: describes a file as a folder, or a folder as a file";
             if (meta.Contains('\r', StringComparison.Ordinal))
-                yield return $"{path}.meta: has line ends of Windows";
+                yield return $"{path}.meta: has Windows line ends";
         }
 
         foreach (IGrouping<string, string> same in assets.GroupBy(static path => path, StringComparer.OrdinalIgnoreCase).Where(static paths => paths.Count() > 1))

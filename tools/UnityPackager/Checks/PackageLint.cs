@@ -1,11 +1,11 @@
 namespace NeuronMocap.UnityPackager.Checks;
 
-/// <summary>Everything that is wrong with a package, in words that say where.</summary>
+/// <summary>Finds all faults of a package and describes where they are.</summary>
 internal static class PackageLint
 {
     public static IReadOnlyList<string> Check(StagedPackage package)
     {
-        // All else is of no use, and the version of the libraries has nothing to be compared with.
+        // Without a manifest, other checks are useless: the version of the libraries cannot be compared with anything.
         if (ManifestCheck.FindUnreadable(package) is { } unreadable)
             return [unreadable];
 

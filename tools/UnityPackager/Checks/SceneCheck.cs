@@ -2,7 +2,7 @@ using System.Text.RegularExpressions;
 
 namespace NeuronMocap.UnityPackager.Checks;
 
-/// <summary>Scenes, prefabs and other assets in text form refer only to what is in the package or in Unity itself.</summary>
+/// <summary>Checks that scenes, prefabs and other text assets refer only to the package or to Unity itself.</summary>
 internal static partial class SceneCheck
 {
     private static readonly string[] Extensions = [".unity", ".prefab", ".asset", ".mat", ".controller", ".anim"];
@@ -18,7 +18,7 @@ internal static partial class SceneCheck
             foreach (string guid in Reference().Matches(package.ReadText(path)).Select(static match => match.Groups["guid"].Value).Distinct(StringComparer.Ordinal))
             {
                 if (!known.Contains(guid))
-                    yield return $"{path}: refers to {guid}, which is nothing in the package";
+                    yield return $"{path}: refers to {guid}, which is not in the package";
             }
         }
     }

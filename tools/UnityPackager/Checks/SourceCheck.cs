@@ -2,7 +2,9 @@ using System.Text.RegularExpressions;
 
 namespace NeuronMocap.UnityPackager.Checks;
 
-/// <summary>What goes into an application uses the editor only inside #if UNITY_EDITOR; sources are nullable, and in one of the package's namespaces.</summary>
+/// <summary>
+/// Checks that runtime sources use the editor only inside #if UNITY_EDITOR. Sources must be nullable and use a namespace of the package.
+/// </summary>
 internal static partial class SourceCheck
 {
     public static IEnumerable<string> Check(StagedPackage package)
@@ -12,11 +14,11 @@ internal static partial class SourceCheck
         {
             string[] lines = package.ReadText(path).Split('\n');
             if (!Has(lines, "[assembly:") && !Has(lines, "#nullable enable"))
-                yield return $"{path}: does not say #nullable enable";
+                yield return $"{path}: lacks #nullable enable";
             if (!Has(lines, "[assembly:") && !Has(lines, "namespace NeuronMocap.Unity"))
-                yield return $"{path}: is in no namespace of the package";
+                yield return $"{path}: does not use a namespace of the package";
             if (Path.GetFileNameWithoutExtension(path).Split('.')[0] is var name && Array.Exists(lines, line => Component().IsMatch(line)) && !Array.Exists(lines, line => Component().Match(line).Groups["name"].Value == name))
-                yield return $"{path}: Unity finds a component only in a file of its name";
+                yield return $"{path}: Unity finds a component only in a file with its name";
             if (AssemblyDefinition.Owning(path, definitions) is { IsEditorOnly: false } && FindUnguarded(lines) is { } number)
                 yield return $"{path}:{number}: uses the editor outside #if UNITY_EDITOR";
         }
@@ -24,7 +26,7 @@ internal static partial class SourceCheck
 
     private static bool Has(string[] lines, string start) => Array.Exists(lines, line => line.StartsWith(start, StringComparison.Ordinal));
 
-    // The number of the first line, from 1.
+    // Returns the number of the first line, from 1.
     private static int? FindUnguarded(string[] lines)
     {
         var guards = new Stack<Guard>();
@@ -46,7 +48,7 @@ internal static partial class SourceCheck
         return null;
     }
 
-    // "UNITY_EDITOR || X" also holds outside the editor.
+    // "UNITY_EDITOR || X" is also true outside the editor.
     private static Guard GuardOf(string condition)
     {
         if (!condition.Contains("UNITY_EDITOR", StringComparison.Ordinal) || condition.Contains("||", StringComparison.Ordinal))
@@ -55,7 +57,7 @@ internal static partial class SourceCheck
         return condition.Contains("!UNITY_EDITOR", StringComparison.Ordinal) ? Guard.Player : Guard.Editor;
     }
 
-    // What a condition says of the lines below it.
+    // The effect of a condition on the lines below it.
     private enum Guard
     {
         Other,

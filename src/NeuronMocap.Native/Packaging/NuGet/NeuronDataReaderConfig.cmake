@@ -1,4 +1,4 @@
-# find_package(NeuronDataReader CONFIG) with the folder build/native of the NuGet package in CMAKE_PREFIX_PATH; the libraries lie in runtimes/RUNTIME/native.
+# find_package(NeuronDataReader CONFIG) with the folder build/native of the NuGet package in CMAKE_PREFIX_PATH. The libraries are in runtimes/RUNTIME/native.
 get_filename_component(_ndr_prefix "${CMAKE_CURRENT_LIST_DIR}/../../.." ABSOLUTE)
 get_filename_component(_ndr_runtimes "${_ndr_prefix}/../../runtimes" ABSOLUTE)
 
@@ -30,7 +30,7 @@ else()
         set(_ndr_name libNeuronDataReader.so.1)
     endif()
 
-    # Packages hold no links, and programs look for the library by the name of its major version.
+    # Packages hold no links, but programs load the library by the name of its major version.
     if(EXISTS "${_ndr_library}")
         file(MAKE_DIRECTORY "${CMAKE_BINARY_DIR}/NeuronDataReader")
         file(CREATE_LINK "${_ndr_library}" "${CMAKE_BINARY_DIR}/NeuronDataReader/${_ndr_name}" COPY_ON_ERROR SYMBOLIC)

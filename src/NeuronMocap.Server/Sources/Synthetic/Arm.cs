@@ -2,8 +2,8 @@ using System.Numerics;
 
 namespace NeuronMocap.Server.Sources.Synthetic;
 
-// Rotations of a right arm; a left one mirrors them. At rest the arm points along -X with the palm down and the thumb forward, so Z lowers
-// it, Y bends it forward and X twists it.
+// Rotations of a right arm; the left arm mirrors them. At rest the arm points along -X, the palm faces down and the thumb points forward. A turn
+// about Z lowers the arm, about Y bends it forward, and about X twists it.
 internal readonly struct Arm(Quaternion shoulder, Quaternion upper, Quaternion fore, Quaternion hand)
 {
     private readonly Quaternion _shoulder = shoulder;
@@ -11,7 +11,7 @@ internal readonly struct Arm(Quaternion shoulder, Quaternion upper, Quaternion f
     private readonly Quaternion _fore = fore;
     private readonly Quaternion _hand = hand;
 
-    // Backward is 1 at the rear end of the swing, -1 at the front end.
+    // Backward is 1 at the rear end of the swing and -1 at the front end.
     public static Arm Swing(float backward, float walking, float breath) => new(
         Turn.Z(-breath),
         Turn.X((backward * 20) - (walking * 2)) * Turn.Z(77 - breath),
@@ -28,7 +28,7 @@ internal readonly struct Arm(Quaternion shoulder, Quaternion upper, Quaternion f
             Turn.Y(12 * MathF.Sin(phase - 0.7f)) * Turn.Z(-8));
     }
 
-    // Both hands before the chest, palms up.
+    // Holds both hands in front of the chest, palms up.
     public static Arm ShowHand(float seconds) => new(
         Turn.Y(6),
         Turn.X(-22) * Turn.Z(70),

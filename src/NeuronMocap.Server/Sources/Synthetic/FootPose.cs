@@ -2,11 +2,11 @@ using System.Numerics;
 
 namespace NeuronMocap.Server.Sources.Synthetic;
 
-// Where an ankle is, and how the foot is turned, in the world. A leaving foot rolls over the tip of its toes, which stays where it was;
-// in flight the point that the foot turns about moves along the sole to the heel, and the foot comes down heel first and flat at landing.
+// Position of an ankle and rotation of the foot, in the world. A leaving foot rolls over the tip of its toes, which does not move. In flight the
+// pivot moves along the sole to the heel. The foot comes down heel first and is flat when it lands.
 internal readonly struct FootPose
 {
-    // The foot's End Site is this far below and before the ankle; the heel is as far below.
+    // The End Site of the foot is this far below and in front of the ankle. The heel is as far below.
     private const float AnkleHeight = 10;
     private const float ToeLength = 15.75f;
     private const float HeelLength = 5;
@@ -25,7 +25,7 @@ internal readonly struct FootPose
         float station = Easing.Lerp(swing.From, swing.To, travel);
         float heading = WalkingPath.Heading(station) + (side * ToeOut);
 
-        // A short step, at the start and end of a walk, turns the foot less.
+        // A short step at the start or end of a walk turns the foot less.
         float size = (1 + swing.To - swing.From) / 3f;
         float pitch = size * ((RollDegrees * Easing.Bump(v, 0, 0.3f, 0.75f)) - (ToeUpDegrees * Easing.Bump(v, 0.55f, 0.85f, 1)));
         float pivot = Easing.Lerp(ToeLength, -HeelLength, Easing.Step(v, 0.35f, 0.75f));

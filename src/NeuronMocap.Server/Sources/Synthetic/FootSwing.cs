@@ -1,9 +1,9 @@
 namespace NeuronMocap.Server.Sources.Synthetic;
 
-// A foot between two footprints, or on one when both are the same.
+// A foot between two footprints. It stands on a footprint when both are the same.
 internal readonly struct FootSwing(int from, int to, float unit)
 {
-    // Both feet stay on the ground for this part of a step before the rear one leaves.
+    // Both feet stay on the ground for this part of a step, before the rear foot leaves.
     private const float BothPlanted = 0.04f;
 
     // Footprints are counted in steps along the path.
@@ -14,6 +14,6 @@ internal readonly struct FootSwing(int from, int to, float unit)
     // 0 while the foot is planted, 1 when it lands.
     public float Progress { get; } = Math.Max(0, (unit - BothPlanted) / (1 - BothPlanted));
 
-    // The whole sole is on the ground and does not move. A foot that rolls over its toes has begun to leave.
+    // The whole sole is on the ground and does not move. A foot that rolls over its toes counts as lifted.
     public bool IsPlanted => From == To || Progress <= 0;
 }

@@ -1,8 +1,8 @@
 namespace NeuronMocap.Server.Sources.Synthetic;
 
-// Where an actor is in its programme, which repeats every lap of 40 s: four walks, each followed by a stop. A walk of m steps has m + 1
-// swings: the first covers one step length, the others two, and the last one closes the feet. Swing i of a walk takes the unit of time
-// from i to i + 1; its foot lands m steps or i + 1 steps, whichever is less, beyond the start. Everything here follows from that.
+// A moment in the programme of an avatar. The programme repeats every lap of 40 s: four walks, each followed by a stop. A walk of m steps has
+// m + 1 swings. The first swing covers one step length, the others two, and the last one closes the feet. Swing i of a walk takes the time
+// from i to i + 1. Its foot lands min(m, i + 1) steps after the start. Everything here follows from these rules.
 internal readonly struct GaitMoment
 {
     public const double LapSeconds = 40;
@@ -10,8 +10,8 @@ internal readonly struct GaitMoment
     // 1.8 steps a second.
     public const double StepSeconds = 5.0 / 9;
 
-    // 28 steps and 4 closing swings leave 40 of the lap's 72 units for the stops. An even number of swings brings every lap to start
-    // with the same foot, and two rounds of the ring to start at the same place.
+    // 28 steps and 4 closing swings leave 40 of the lap's 72 units for the stops. The number of swings is even, so every lap starts with the same
+    // foot. The steps make two rounds of the ring, so every lap starts at the same place.
     private const double StopUnits = 10;
 
     private const float WalkingLag = 0.04f;
@@ -57,7 +57,7 @@ internal readonly struct GaitMoment
 
     public bool IsWalking { get; }
 
-    // Which walk, or the stop after which walk.
+    // Index of the walk, or of the walk before the stop.
     public int Index { get; }
 
     // Time since the walk or stop began, in steps.
@@ -65,20 +65,20 @@ internal readonly struct GaitMoment
 
     public float Seconds => Units * (float)StepSeconds;
 
-    // How much walking there is in the body: it grows during the first swing and fades during the last.
+    // The amount of walking in the body. It grows during the first swing and fades during the last.
     public float Walking => IsWalking ? Easing.Plateau(Units, 0, 1, _steps, _steps + 1) : 0;
 
-    // The way of the body: constant speed between an acceleration and a deceleration. When a foot lands, the body is a little nearer to
-    // the other one, so that the rear leg is not longer than the front one; at a stop its weight is before the ankles.
+    // Distance of the body along the path: constant speed between an acceleration and a deceleration. When a foot lands, the body is a little nearer
+    // to the other foot. Otherwise the rear leg would be longer than the front leg. At a stop the weight is in front of the ankles.
     public float Station => _start + (IsWalking ? Advance() : 0) + Easing.Lerp(StandingLead, -WalkingLag, Walking);
 
-    // A cosine of the stride: 1 when the right foot lands in front, -1 when the left one does.
+    // A cosine of the stride: 1 when the right foot lands in front, -1 when the left foot does.
     public float Stride => IsWalking ? -Sign * Walking * MathF.Cos(MathF.PI * Units) : 0;
 
-    // A sine of the stride: 1 when the weight is on the left foot while the right one passes, -1 the other way.
+    // A sine of the stride: 1 when the weight is on the left foot and the right foot passes it, -1 in the opposite case.
     public float Weight => IsWalking ? Sign * Walking * MathF.Sin(MathF.PI * Units) : 0;
 
-    // -1 when both feet are on the ground, 1 when one passes the other.
+    // -1 when both feet are on the ground, 1 when one foot passes the other.
     public float Rise => -Walking * MathF.Cos(2 * MathF.PI * Units);
 
     private static ReadOnlySpan<byte> Walks => [10, 6, 8, 4];

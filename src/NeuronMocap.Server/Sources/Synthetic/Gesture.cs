@@ -8,7 +8,7 @@ internal enum GestureKind
     Stretch,
 }
 
-// What an actor does besides walking: one thing during every stop and during two of the walks.
+// A gesture in addition to walking: one during every stop and during two of the walks.
 internal readonly struct Gesture
 {
     private const int KindCount = 4;
@@ -18,7 +18,7 @@ internal readonly struct Gesture
         float seconds = moment.Seconds;
         if (!moment.IsWalking)
         {
-            // Avatars take the gestures in another order and begin a little earlier or later.
+            // Each avatar makes the gestures in another order and starts a little earlier or later.
             Kind = (GestureKind)((moment.Index + avatar) % KindCount);
             Seconds = seconds - (0.1f + (0.1f * ((moment.Index + (3 * avatar)) % 5)));
             Amount = Easing.Plateau(Seconds, 0, 0.9f, 3.8f, 4.8f);
@@ -37,10 +37,10 @@ internal readonly struct Gesture
 
     public GestureKind Kind { get; }
 
-    // 0 to 1, and 0 at the ends of every walk and stop.
+    // 0 to 1. It is 0 at the ends of every walk and stop.
     public float Amount { get; }
 
-    // Since its beginning.
+    // Time since the start of the gesture.
     public float Seconds { get; }
 
     public float AmountOf(GestureKind kind) => Kind == kind ? Amount : 0;

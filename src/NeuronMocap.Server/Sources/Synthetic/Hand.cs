@@ -2,17 +2,17 @@ using System.Numerics;
 
 namespace NeuronMocap.Server.Sources.Synthetic;
 
-// Fingers of a hand. A finger is a palm bone and three bones that curl; the thumb has no palm bone.
+// The fingers of a hand. A finger is a palm bone and three bones that curl. The thumb has no palm bone.
 internal static class Hand
 {
     private const int FingerCount = 5;
 
-    // Bones of the thumb, and of each other finger, in Bone order behind the hand.
+    // Number of bones of the thumb and of each other finger. They follow the hand in Bone order.
     private const int ThumbBones = 3;
     private const int FingerBones = 4;
 
-    // Idle is an angle in radians that grows steadily; open is 1 for a flat hand; count is how many fingers are shown out of a fist, and
-    // counting how much of that there is.
+    // idle is an angle in radians that grows steadily. open is 1 for a flat hand. count is the number of fingers shown from a fist, and counting is
+    // the amount of that gesture.
     public static void Write(bool right, float idle, float open, float count, float counting, Span<BoneTransform> pose)
     {
         Bone bone = (right ? Bone.RightHand : Bone.LeftHand) + 1;
@@ -39,7 +39,7 @@ internal static class Hand
 
     private static void WriteFinger(bool right, Bone bone, int finger, float curl, float open, Span<BoneTransform> pose)
     {
-        // The fingers spread from the middle one, more so in a flat hand; the palm cups towards the little finger.
+        // The fingers spread from the middle finger, more so in a flat hand. The palm cups towards the little finger.
         float spread = (2 - finger) * (1 + (4 * open));
         Write(pose, bone, right, Turn.Z(0.02f * finger * curl));
         Write(pose, bone + 1, right, Turn.Y(spread) * Turn.Z(0.9f * curl));

@@ -5,7 +5,7 @@ namespace NeuronMocap.Server.Sources.Synthetic;
 // Exact inverse kinematics of a thigh and a shin with a hinge between them. The knee bends forward only.
 internal static class Leg
 {
-    // Thigh, shin and foot have consecutive numbers; their transforms are relative to the parent, the hips' to the world.
+    // Thigh, shin and foot have consecutive numbers. Their transforms are relative to the parent; that of the hips is relative to the world.
     public static void Solve(Bone thigh, in FootPose foot, Quaternion forward, Span<BoneTransform> pose)
     {
         BoneTransform hips = pose[(int)Bone.Hips];
@@ -14,7 +14,7 @@ internal static class Leg
         float lower = pose[(int)thigh + 2].Position.Length();
         float distance = Math.Min(toAnkle.Length(), upper + lower);
 
-        // The leg as one stick: Y from the ankle to the hip, X the hinge, to the left.
+        // The leg as a straight line: Y from the ankle to the hip, X along the hinge, to the left.
         Vector3 up = Vector3.Normalize(-toAnkle);
         Vector3 left = Vector3.Normalize(Vector3.Cross(up, Vector3.Transform(Vector3.UnitZ, forward)));
         Vector3 ahead = Vector3.Cross(left, up);
@@ -28,7 +28,7 @@ internal static class Leg
         Rotate(pose, thigh + 2, Quaternion.Conjugate(shinWorld) * foot.Rotation);
     }
 
-    // Law of cosines, in degrees. In double precision: near a straight leg, float would make the knee tremble.
+    // Law of cosines, in degrees. Double precision is needed: near a straight leg, float would make the knee tremble.
     private static float AngleOpposite(double side, double other, double another)
     {
         double cosine = ((other * other) + (another * another) - (side * side)) / (2 * other * another);

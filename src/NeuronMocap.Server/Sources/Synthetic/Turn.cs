@@ -25,6 +25,6 @@ internal static class Turn
         return new Quaternion(0, 0, MathF.Sin(half), MathF.Cos(half));
     }
 
-    // What the other side of the body does when one side does this.
+    // Mirrors a rotation to the other side of the body.
     public static Quaternion Mirror(Quaternion rotation) => new(rotation.X, -rotation.Y, -rotation.Z, rotation.W);
 }

@@ -2,12 +2,12 @@ using System.Numerics;
 
 namespace NeuronMocap.Server.Sources.Synthetic;
 
-// The ring that an actor walks round, to its left. Places along it are counted in steps; fourteen of them make a round.
+// The ring that an avatar walks round, to its left. Positions along it are counted in steps. One round has fourteen steps.
 internal static class WalkingPath
 {
     public const float StepsPerRound = 14;
 
-    // Two actors on neighbouring rings are never closer than 120 cm: the distance between the centres less one diameter.
+    // Two avatars on neighbouring rings are never closer than 120 cm: the distance between the centres less one diameter.
     public const float RingDistance = (2 * Radius) + 120;
 
     private const float Radius = 100;

@@ -6,7 +6,7 @@ using NeuronMocap.Tool.Files;
 
 namespace NeuronMocap.Tool.Watch.Export;
 
-/// <summary>The options of keeping a stream as BVH.</summary>
+/// <summary>The options for exporting a stream as BVH.</summary>
 internal sealed class ExportArguments
 {
     private const string Everyone = "all";
@@ -14,22 +14,22 @@ internal sealed class ExportArguments
     private readonly Option<string?> _export = new("--export")
     {
         HelpName = "FILE.bvh",
-        Description = "Write the motion frames into this BVH file as well, in addition to the output. An existing file is an error unless --overwrite is given. "
-            + "The bones' lengths are those of the stream (displacement on), or those that the server's command channel tells, or those of the manual's Appendix B.",
+        Description = "Also write the motion frames to this BVH file. An existing file is an error unless --overwrite is given. "
+            + "The bone lengths come from the stream (displacement on), from the server's command channel, or from the manual's Appendix B.",
         Arity = ArgumentArity.ExactlyOne,
     };
 
     private readonly Option<string?> _avatar = new("--export-avatar")
     {
         HelpName = "N|all",
-        Description = "With --export: the avatar to write, from 0, or all for a file each, with the avatar's number in its name. Default: the one that comes first.",
+        Description = "With --export: number of the avatar to write, from 0, or all for one file per avatar, with its number in the name. Default: the first to arrive.",
         CustomParser = static result =>
         {
             string text = result.Tokens[0].Value;
             if (IsAll(text) || int.TryParse(text, NumberStyles.None, CultureInfo.InvariantCulture, out _))
                 return text;
 
-            result.AddError($"--export-avatar: '{text}' is not a number of an avatar, from 0, or all.");
+            result.AddError($"--export-avatar: '{text}' is not an avatar number, from 0, or all.");
             return null;
         },
         Arity = ArgumentArity.ExactlyOne,
@@ -40,7 +40,7 @@ internal sealed class ExportArguments
 
     public Option[] All => [_export, _avatar];
 
-    /// <summary>Adds an error for every option that has no meaning without another.</summary>
+    /// <summary>Adds an error for every option that needs another option.</summary>
     public void RejectContradictions(CommandResult result)
     {
         if (Verb.IsGiven(result, _avatar) && !Verb.IsGiven(result, _export))

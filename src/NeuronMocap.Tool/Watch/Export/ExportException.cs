@@ -1,4 +1,4 @@
 namespace NeuronMocap.Tool.Watch.Export;
 
-/// <summary>A file cannot be begun; the message says why.</summary>
+/// <summary>The exception for a file that cannot be created. The message says why.</summary>
 internal sealed class ExportException(string message, Exception innerException) : Exception(message, innerException);

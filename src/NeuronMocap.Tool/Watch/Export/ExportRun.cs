@@ -5,7 +5,7 @@ using NeuronMocap.Tool.Terminal;
 
 namespace NeuronMocap.Tool.Watch.Export;
 
-/// <summary>A file that is written while the stream is shown; none where none was asked for.</summary>
+/// <summary>The export of a run. It does nothing if no export was requested.</summary>
 internal sealed class ExportRun : IDisposable
 {
     private readonly BvhExport? _export;
@@ -13,11 +13,11 @@ internal sealed class ExportRun : IDisposable
 
     private ExportRun(BvhExport? export, string path) => (_export, _path) = (export, path);
 
-    /// <summary>Ends when the file cannot be written any more; null where none was asked for.</summary>
+    /// <summary>Completes when the file cannot be written any more. Null without an export.</summary>
     public Task? Broken => _export is null ? null : WaitForFailureAsync(_export.Completion, () => _export.Failure);
 
-    /// <summary>Begins before the reader is started, so that no frame is missing.</summary>
-    /// <exception cref="ExportException">The file is there already, or cannot be written.</exception>
+    /// <summary>Starts before the reader, so that no frame is missing.</summary>
+    /// <exception cref="ExportException">The file already exists, or it cannot be written.</exception>
     public static ExportRun Begin(NeuronReader reader, ExportSettings? settings, long? frames)
     {
         try
@@ -31,8 +31,8 @@ internal sealed class ExportRun : IDisposable
         }
     }
 
-    /// <summary>Completes the files and says what is in them.</summary>
-    /// <returns>False when something is not.</returns>
+    /// <summary>Completes the files and reports their contents.</summary>
+    /// <returns>False if a frame could not be written.</returns>
     public bool TryFinish(StandardStreams streams)
     {
         if (_export is null)
@@ -43,7 +43,7 @@ internal sealed class ExportRun : IDisposable
             streams.Complain($"{Describe(file)}");
 
         if (_export.Files.Count == 0 && _export.Failure is null)
-            streams.Complain("no motion frame came, and no file was written.");
+            streams.Complain("no motion frame arrived, so no file was written.");
         if (_export.FramesDropped is > 0 and var missing)
         {
             string frames = missing == 1 ? "1 frame" : string.Create(CultureInfo.InvariantCulture, $"{missing} frames");
@@ -60,7 +60,7 @@ internal sealed class ExportRun : IDisposable
 
     public void Dispose() => _export?.Dispose();
 
-    /// <summary>Ends when something has failed; never when it ended well.</summary>
+    /// <summary>Completes when the work has failed. Never completes after a success.</summary>
     public static async Task WaitForFailureAsync(Task completion, Func<Exception?> getFailure)
     {
         await completion;
@@ -77,7 +77,7 @@ internal sealed class ExportRun : IDisposable
             BvhBodyOrigin.Dimensions => "bone lengths from the sizes of the command channel",
             _ => "lengths of the bones of the default body",
         };
-        string repeated = file.RepeatedFrames == 0 ? "" : $" {file.RepeatedFrames} of them stand in for lost ones;";
+        string repeated = file.RepeatedFrames == 0 ? "" : $" {file.RepeatedFrames} of them replace lost frames;";
         string late = file.LateFrames == 0 ? "" : $" {file.LateFrames} more came too late;";
         return string.Create(
             CultureInfo.InvariantCulture,

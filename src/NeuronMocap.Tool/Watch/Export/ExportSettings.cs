@@ -2,14 +2,14 @@ using NeuronMocap.Bvh;
 
 namespace NeuronMocap.Tool.Watch.Export;
 
-/// <summary>What is to be kept of the stream.</summary>
+/// <summary>Settings of the export.</summary>
 /// <param name="Path">The BVH file.</param>
-/// <param name="Overwrite">Whether a file of that name is replaced.</param>
-/// <param name="Avatar">The avatar; null for the first that comes.</param>
-/// <param name="FilePerAvatar">Whether every avatar gets a file.</param>
+/// <param name="Overwrite">Whether an existing file is replaced.</param>
+/// <param name="Avatar">Index of the avatar; null for the first that arrives.</param>
+/// <param name="FilePerAvatar">Whether every avatar gets its own file.</param>
 internal sealed record ExportSettings(string Path, bool Overwrite, int? Avatar, bool FilePerAvatar)
 {
-    /// <summary>Options of the export.</summary>
+    /// <summary>Creates the options of the export.</summary>
     /// <param name="frames">Number of frames after which the run ends; null for no end.</param>
     public BvhExportOptions ToOptions(long? frames) => new()
     {

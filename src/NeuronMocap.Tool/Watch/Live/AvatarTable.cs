@@ -4,7 +4,7 @@ using Spectre.Console.Rendering;
 
 namespace NeuronMocap.Tool.Watch.Live;
 
-/// <summary>A row for each stream of each avatar, and the totals of the reader.</summary>
+/// <summary>A table with a row for each stream of each avatar, and the totals of the reader.</summary>
 internal static class AvatarTable
 {
     private const int HeadHeight = 1;
@@ -17,7 +17,7 @@ internal static class AvatarTable
     private const int WidestName = 40;
     private const string Lifted = "·";
 
-    // The widths are fixed, so that the table stands still while its numbers change. A narrow window shows the essential columns.
+    // The widths are fixed, so that the table does not move while its numbers change. A narrow window shows only the essential columns.
     private static readonly Column[] Columns =
     [
         new("stream", 6, 12, Justify.Left),
@@ -34,18 +34,18 @@ internal static class AvatarTable
 
     private static readonly TimeSpan Stale = TimeSpan.FromSeconds(1);
 
-    /// <summary>Lines that it takes.</summary>
-    /// <param name="state">What to show.</param>
+    /// <summary>Gets the height of the table in lines.</summary>
+    /// <param name="state">The state to show.</param>
     /// <param name="width">Columns of the window.</param>
-    /// <param name="rows">Most rows of avatars.</param>
-    /// <param name="framed">Whether it has a border.</param>
+    /// <param name="rows">Maximum number of rows for avatars.</param>
+    /// <param name="framed">Whether the table has a border.</param>
     public static int HeightOf(LiveState state, int width, int rows, bool framed) =>
         Math.Min(Math.Max(state.Counters.Avatars.Count, 1), rows) + (width < Dashboard.TableWidth ? 0 : HeadHeight) + (framed ? BorderHeight : 0);
 
-    /// <summary>Makes the table. A narrow window has no columns, and one line for each stream.</summary>
-    /// <param name="state">What to show.</param>
-    /// <param name="rows">Room for avatars. The last row tells how many are left out, if there are more.</param>
-    /// <param name="width">Columns that it may take.</param>
+    /// <summary>Creates the table. A narrow window has no columns, and one line for each stream.</summary>
+    /// <param name="state">The state to show.</param>
+    /// <param name="rows">Room for avatars. If there are more, the last row gives the number of the rest.</param>
+    /// <param name="width">Available columns.</param>
     public static IRenderable Create(LiveState state, int rows, int width)
     {
         IReadOnlyList<AvatarStatistics> avatars = state.Counters.Avatars;
@@ -59,7 +59,7 @@ internal static class AvatarTable
             : MakeTable(state, first, rest, width);
     }
 
-    /// <summary>The reader's totals.</summary>
+    /// <summary>Creates the totals of the reader.</summary>
     public static IReadOnlyList<StyledLine> Totals(LiveState state, int width)
     {
         ReaderStatistics total = state.Counters.Total;
@@ -76,7 +76,7 @@ internal static class AvatarTable
             width);
     }
 
-    // The rows from the first one on, unless the selected avatar would not be among them.
+    // Takes rows from the start, unless they would not include the selected avatar.
     private static IEnumerable<AvatarStatistics> WithSelected(LiveState state, AvatarStatistics[] avatars, int shown)
     {
         int selected = Array.FindIndex(avatars, avatar => IsSelected(state, avatar));
@@ -101,7 +101,7 @@ internal static class AvatarTable
         return table;
     }
 
-    // "> 0 Demo          60.0 Hz  lost 0  L R"
+    // Example: "> 0 Demo          60.0 Hz  lost 0  L R"
     private static StyledLine MakeLine(LiveState state, AvatarStatistics avatar)
     {
         bool isStale = avatar.GetAge(state.TakenAt) > Stale;
@@ -140,7 +140,7 @@ internal static class AvatarTable
         return Quantity.Format($"{(IsSelected(state, avatar) ? '>' : ' ')} {(uint)avatar.AvatarIndex} {avatar.AvatarName}{sender}");
     }
 
-    // One for each of the columns.
+    // One cell for each column.
     private static IRenderable[] MakeCells(LiveState state, AvatarStatistics avatar, bool isWide)
     {
         TimeSpan age = avatar.GetAge(state.TakenAt);
@@ -167,13 +167,13 @@ internal static class AvatarTable
         _ => isWide ? "studio calc" : "stud",
     };
 
-    // "30.0/2": every second frame.
+    // Example: "30.0/2" for every second frame.
     private static string DescribeRate(AvatarStatistics avatar) =>
         Quantity.Fixed(avatar.FrameRate, 1) + (avatar.FrequencyReduction > 1 ? Quantity.Format($"/{avatar.FrequencyReduction}") : string.Empty);
 
     private static Text Alarm(long count) => new(Quantity.Count(count), count > 0 ? new Style(Palette.Warning) : Style.Plain);
 
-    // Calculation data has the contacts. Those of motion data are estimated.
+    // Calculation data contains the contacts. For motion data they are estimated.
     private static Piece FeetOf(LiveState state, AvatarStatistics avatar) => avatar.Kind switch
     {
         PacketKind.Calculation => Feet(state.GetContacts(avatar.AvatarIndex)),
@@ -186,7 +186,7 @@ internal static class AvatarTable
         if (contacts is not { } feet)
             return new Piece("-  ");
 
-        // Letters, and not only colours: NO_COLOR switches those off, and not everyone can tell them apart.
+        // Uses letters in addition to colours. NO_COLOR switches colours off, and not everyone can distinguish them.
         return new Piece(feet.Left ? "L" : Lifted, feet.Left ? new Style(Color.Black, Palette.Left) : Palette.DimStyle)
             .Add(" ")
             .Add(feet.Right ? "R" : Lifted, feet.Right ? new Style(Color.Black, Palette.Right) : Palette.DimStyle);

@@ -3,7 +3,7 @@ using NeuronMocap.Motion;
 
 namespace NeuronMocap.Tool.Watch.Live;
 
-/// <summary>The newest pose of one avatar, and the feet that stand on the ground.</summary>
+/// <summary>The newest pose of one avatar, and its feet on the ground.</summary>
 /// <param name="avatar">Number of the avatar.</param>
 /// <param name="frame">Its first frame.</param>
 internal sealed class AvatarView(int avatar, MotionFrame frame)
@@ -19,7 +19,7 @@ internal sealed class AvatarView(int avatar, MotionFrame frame)
     /// <summary>When the newest frame arrived, in ticks of <see cref="Stopwatch"/>.</summary>
     public long Timestamp { get; private set; }
 
-    /// <summary>The feet that seem to stand on the ground, by the motion. Null without a skeleton.</summary>
+    /// <summary>The feet on the ground, estimated from the motion. Null without a skeleton.</summary>
     public FootContacts? Contacts { get; private set; }
 
     /// <summary>Takes a frame of this avatar.</summary>

@@ -5,7 +5,7 @@ namespace NeuronMocap.Tool.Watch.Live;
 /// <summary>A page of the bone table.</summary>
 internal readonly record struct BonePage(string Title, IReadOnlyList<Bone> Bones);
 
-/// <summary>The bones that the table shows together.</summary>
+/// <summary>The sets of bones that the table shows together.</summary>
 internal static class BoneSets
 {
     private static readonly BonePage[] LongSets =
@@ -26,10 +26,10 @@ internal static class BoneSets
         new("left hand", Range(Bone.LeftHand, Bone.LeftHandPinky3)),
     ];
 
-    /// <summary>Finds a page. A set with more bones than there are rows takes several pages.</summary>
-    /// <param name="page">Counted from 0, round and round, also below 0.</param>
+    /// <summary>Finds a page. A set with more bones than rows takes several pages.</summary>
+    /// <param name="page">Number of the page. It starts at 0, wraps round and may be negative.</param>
     /// <param name="rows">Rows of a page, at least 1.</param>
-    /// <returns>The page. After the last one comes null: no table.</returns>
+    /// <returns>The page. Null for the place after the last page, which shows no table.</returns>
     public static BonePage? GetPage(int page, int rows)
     {
         BonePage[] sets = rows >= CalculationOrder.BodyBoneCount ? LongSets : ShortSets;

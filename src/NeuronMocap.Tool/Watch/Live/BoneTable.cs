@@ -5,7 +5,7 @@ using Spectre.Console;
 
 namespace NeuronMocap.Tool.Watch.Live;
 
-/// <summary>A page of bones in numbers: their positions in the world, and their rotations as they are in the stream.</summary>
+/// <summary>A page of bones in numbers: positions in the world, and rotations as in the stream.</summary>
 internal sealed class BoneTable
 {
     public const int HeadHeight = 1;
@@ -19,9 +19,9 @@ internal sealed class BoneTable
     private readonly bool _isWide;
     private readonly int _nameWidth;
 
-    /// <summary>Lays the table out.</summary>
-    /// <param name="pose">The numbers.</param>
-    /// <param name="bones">A row for each.</param>
+    /// <summary>Creates the table.</summary>
+    /// <param name="pose">The pose.</param>
+    /// <param name="bones">The bones, one for each row.</param>
     /// <param name="isWide">Whether there is room for whole names and decimals of the angles.</param>
     public BoneTable(Pose pose, IReadOnlyList<Bone> bones, bool isWide)
     {
@@ -29,7 +29,7 @@ internal sealed class BoneTable
         _nameWidth = bones.Max(bone => NameOf(bone).Length);
     }
 
-    /// <summary>Columns that it takes. The numbers do not change it, so that the skeleton beside it stands still.</summary>
+    /// <summary>Width of the table in columns. It does not depend on the numbers, so the skeleton beside it does not move.</summary>
     public int Width => _nameWidth + Gap + (3 * (PositionWidth + Gap)) + (3 * (AngleWidth + Gap));
 
     private int PositionWidth => _isWide ? 8 : 6;
@@ -72,7 +72,7 @@ internal sealed class BoneTable
         ];
     }
 
-    // L. and R. stand for Left and Right.
+    // L. and R. are short for Left and Right.
     private string NameOf(Bone bone)
     {
         string name = BoneHierarchy.GetName(bone, _pose.Format.Variant);
@@ -84,6 +84,6 @@ internal sealed class BoneTable
         };
     }
 
-    // From ten metres on there are no decimals, so that the column keeps its width.
+    // Values of ten metres or more have no decimals, so that the column keeps its width.
     private static Text Number(float value, int decimals) => new(Quantity.Fixed(value, Math.Abs(value) < 999.9f ? decimals : 0));
 }

@@ -4,10 +4,11 @@ using Spectre.Console.Rendering;
 
 namespace NeuronMocap.Tool.Watch.Live;
 
-/// <summary>
-/// A drawing of dots. A character cell holds 2 by 4 of them, which makes them about square in most terminals. A cell has one colour, the last
-/// that was drawn in it.
-/// </summary>
+/// <summary>A drawing of dots.</summary>
+/// <remarks>
+/// A character cell holds 2 by 4 dots, which makes them roughly square in most terminals. A cell has one colour: the last colour that was drawn in
+/// it.
+/// </remarks>
 internal sealed class BrailleCanvas : Renderable
 {
     public const int DotsPerColumn = 2;
@@ -35,16 +36,16 @@ internal sealed class BrailleCanvas : Renderable
 
     public int Height => Rows * DotsPerRow;
 
-    /// <summary>The column of a dot.</summary>
+    /// <summary>Gets the column of a dot.</summary>
     public static int ColumnOf(float x) => Round(x) / DotsPerColumn;
 
-    /// <summary>The row of a dot.</summary>
+    /// <summary>Gets the row of a dot.</summary>
     public static int RowOf(float y) => Round(y) / DotsPerRow;
 
-    /// <summary>Sets a dot; one outside the canvas is left out.</summary>
-    /// <param name="x">From the left.</param>
-    /// <param name="y">From the top.</param>
-    /// <param name="color">The cell's colour.</param>
+    /// <summary>Sets a dot. Dots outside the canvas are ignored.</summary>
+    /// <param name="x">Dots from the left.</param>
+    /// <param name="y">Dots from the top.</param>
+    /// <param name="color">The colour of the cell.</param>
     public void Set(int x, int y, Color color)
     {
         if (x < 0 || x >= Width || y < 0 || y >= Height)
@@ -56,14 +57,14 @@ internal sealed class BrailleCanvas : Renderable
         _colors[cell] = color;
     }
 
-    /// <summary>Draws a line of dots, both ends included.</summary>
+    /// <summary>Draws a line of dots, including both ends.</summary>
     public void DrawLine(float x0, float y0, float x1, float y1, Color color)
     {
         float longest = Math.Max(Math.Abs(x1 - x0), Math.Abs(y1 - y0));
         if (!float.IsFinite(longest))
             return;
 
-        // A broken pose may have any size. Dots far outside must not cost time.
+        // A broken pose may have any size. Dots far outside must not take time.
         int steps = (int)Math.Min(MathF.Ceiling(longest), 4 * (Width + Height));
         for (int i = 0; i <= steps; i++)
         {
@@ -86,7 +87,7 @@ internal sealed class BrailleCanvas : Renderable
         }
     }
 
-    /// <summary>Writes text over the dots; what does not fit is cut off.</summary>
+    /// <summary>Writes text over the dots. Text that does not fit is cut off.</summary>
     public void Write(int column, int row, string text, Color color)
     {
         for (int i = 0; i < text.Length && column + i < Columns; i++)
@@ -99,7 +100,7 @@ internal sealed class BrailleCanvas : Renderable
         }
     }
 
-    /// <summary>A row of characters.</summary>
+    /// <summary>Gets a row of characters.</summary>
     public string GetRow(int row) => new(_cells, row * Columns, Columns);
 
     protected override Measurement Measure(RenderOptions options, int maxWidth)

@@ -1,6 +1,6 @@
 namespace NeuronMocap.Tool.Watch.Live;
 
-/// <summary>The reader's figures since the last reset.</summary>
+/// <summary>The statistics of the reader since the last reset.</summary>
 internal sealed class Counters
 {
     private readonly Dictionary<(PacketKind Kind, int Source, int Avatar), AvatarStatistics> _atReset = [];

@@ -4,13 +4,13 @@ using Spectre.Console.Rendering;
 
 namespace NeuronMocap.Tool.Watch.Live;
 
-/// <summary>
-/// Puts the views together for the size of the window. What explains is never cut: it is wrapped, and a view that has no room is left out as a
-/// whole, the least important one first.
-/// </summary>
+/// <summary>Arranges the views for the size of the window.</summary>
+/// <remarks>
+/// Explanations are never cut; they are wrapped. A view without room is left out as a whole, the least important view first.
+/// </remarks>
 internal static class Dashboard
 {
-    /// <summary>The narrowest window with a table of bones, and with whole columns for the avatars.</summary>
+    /// <summary>Minimum width of a window with a table of bones and with all columns for the avatars.</summary>
     public const int TableWidth = 60;
 
     private const int FramedWidth = 100;
@@ -21,7 +21,7 @@ internal static class Dashboard
     private const int BorderWidth = 4;
     private const int ShortestBody = 5;
 
-    // Lines that the drawing keeps before something else is shown beside it.
+    // Lines that the drawing keeps before another view appears beside it.
     private const int BodyBesideTotals = 7;
     private const int BodyBesideDetails = 9;
     private const int BodyBesideEvents = 11;
@@ -45,11 +45,11 @@ internal static class Dashboard
         return new Layout().SplitRows([.. parts]);
     }
 
-    /// <summary>How many pages the help has in this window.</summary>
+    /// <summary>Counts the pages of the help in this window.</summary>
     public static int CountHelpPages(LiveState state, int width, int height) => HelpView.CountPages(
         state.Player is not null, width, height - HeaderView.Essentials(state, width).Count - FooterHeight);
 
-    // The reason first; the figures that were there stay, as far as there is room.
+    // The reason comes first. The previous statistics stay as far as there is room.
     private static IEnumerable<Layout> CreateProblem(Problem problem, LiveState state, int width, int height, int room)
     {
         int body = ProblemView.HeightOf(problem, state, width);
@@ -63,7 +63,7 @@ internal static class Dashboard
             rest -= avatars;
         }
 
-        // The box has empty lines around it, before it has events below it.
+        // The box gets empty lines around it before it gets events below it.
         int events = Math.Min(EventRows(height, framed), rest - ProblemView.SpaceAround - (framed ? BorderHeight : 0));
         if (events > 0)
         {
@@ -101,7 +101,7 @@ internal static class Dashboard
         return parts;
     }
 
-    // Lines are shown when the drawing keeps enough of its own.
+    // Shows lines only if the drawing keeps enough of its own.
     private static IReadOnlyList<StyledLine> Grant(IReadOnlyList<StyledLine> lines, int least, ref int body)
     {
         if (body - lines.Count < least)

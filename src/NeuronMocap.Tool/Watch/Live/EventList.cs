@@ -8,7 +8,7 @@ internal static class EventList
 {
     private const int Indent = 11;
 
-    /// <summary>Makes the lines, the oldest event first. An event that has no room is left out as a whole.</summary>
+    /// <summary>Creates the lines, the oldest event first. An event without room is left out as a whole.</summary>
     public static IReadOnlyList<StyledLine> Create(EventLog log, int width, int rows)
     {
         List<StyledLine> all = [];

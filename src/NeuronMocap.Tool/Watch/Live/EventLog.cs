@@ -4,10 +4,10 @@ using Spectre.Console;
 
 namespace NeuronMocap.Tool.Watch.Live;
 
-/// <summary>A change of the connection's state, a file that failed or what a key did, and how often it came in a row.</summary>
+/// <summary>A change of the connection's state, a failed file or the effect of a key, with the number of its consecutive occurrences.</summary>
 internal readonly record struct LoggedEvent(DateTime Time, string Text, Color Color, int Count);
 
-/// <summary>The last events. Any thread.</summary>
+/// <summary>The last events. Thread-safe.</summary>
 internal sealed class EventLog
 {
     private const int Capacity = 100;
@@ -17,7 +17,7 @@ internal sealed class EventLog
 
     public void Add(DateTime time, ConnectionStatus status)
     {
-        // Repeated attempts would push out everything else.
+        // Repeated attempts would displace all other events.
         if (status is { State: ConnectionState.Connecting, Attempt: > 1 })
             return;
 
@@ -26,7 +26,7 @@ internal sealed class EventLog
 
     public void Add(DateTime time, FileFailure failure) => Add(time, failure.Text, Palette.Bad);
 
-    /// <summary>Adds what a key did.</summary>
+    /// <summary>Adds the effect of a key.</summary>
     public void Add(DateTime time, string text) => Add(time, TerminalText.Clean(text), Palette.Middle);
 
     private void Add(DateTime time, string text, Color color)
@@ -42,7 +42,7 @@ internal sealed class EventLog
         }
     }
 
-    /// <summary>The newest events, oldest first.</summary>
+    /// <summary>Gets the newest events, oldest first.</summary>
     public IReadOnlyList<LoggedEvent> Newest(int count)
     {
         lock (_lock)

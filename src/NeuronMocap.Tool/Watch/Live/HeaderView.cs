@@ -7,14 +7,14 @@ using Spectre.Console;
 
 namespace NeuronMocap.Tool.Watch.Live;
 
-/// <summary>The lines at the top, the most important first: state, source, recording, what is wrong, and the kind of stream.</summary>
+/// <summary>The lines at the top, the most important first: state, source, recording, problems, and the kind of stream.</summary>
 internal static class HeaderView
 {
     private const string Gap = "  ";
 
     private static readonly Style RecordingStyle = new(Palette.Bad, decoration: Decoration.Bold);
 
-    /// <summary>What every window shows: the state, the source, the recording, and files that failed.</summary>
+    /// <summary>Creates the lines that every window shows: state, source, recording and failed files.</summary>
     public static IReadOnlyList<StyledLine> Essentials(LiveState state, int width)
     {
         ConnectionStatus status = state.Status;
@@ -28,11 +28,11 @@ internal static class HeaderView
         return [.. lines, .. Alarms(state, width)];
     }
 
-    /// <summary>What the status says while frames arrive, and nothing is wrong with them.</summary>
+    /// <summary>Creates the text of the status while frames arrive without problems.</summary>
     public static IReadOnlyList<StyledLine> Sentence(LiveState state, int width) =>
         state.Status is { State: ConnectionState.Receiving, Reason: ConnectionReason.None } ? Wrap(state.Status.Describe(), width, Palette.DimStyle) : [];
 
-    /// <summary>The kind of the stream.</summary>
+    /// <summary>Creates the description of the stream.</summary>
     public static IReadOnlyList<StyledLine> Stream(LiveState state, int width)
     {
         if (state.Pose is not { } pose)
@@ -54,7 +54,7 @@ internal static class HeaderView
         return Piece.Flow(pieces, " · ", width);
     }
 
-    /// <summary>"attempt 2 failed, next in 2.1 s", or nothing.</summary>
+    /// <summary>Formats "attempt 2 failed, next in 2.1 s", or an empty text.</summary>
     public static string DescribeRetry(ConnectionStatus status, long now)
     {
         if (status.RetryIn is not { } delay)
@@ -98,7 +98,7 @@ internal static class HeaderView
             yield return new Piece($"{Quantity.Bytes(statistics.LostBytes)} lost: the disk is too slow", Palette.WarningStyle);
     }
 
-    // A file that failed must not come as a surprise at the end.
+    // A failed file must not come as a surprise at the end.
     private static IEnumerable<StyledLine> Alarms(LiveState state, int width)
     {
         foreach (FileFailure failure in state.FileFailures)
@@ -120,7 +120,8 @@ internal static class HeaderView
     private static IReadOnlyList<StyledLine> Wrap(string text, int width, Style style) =>
         [.. WrappedText.Break(TerminalText.Clean(text), width, int.MaxValue).Select(line => new StyledLine().Add(line, style))];
 
-    // A stream of Axis Studio says its order. A wrong guess makes the body fold up. Where the command channel may say it, the status tells whether it did.
+    // Axis Studio's stream carries its order. A wrong guess makes the body fold up. If a command channel is set, the status says whether it gave the
+    // order.
     private static string DescribeOrder(LiveState state, Pose pose)
     {
         RotationOrder order = pose.Format.RotationOrder;

@@ -5,7 +5,7 @@ using Spectre.Console.Rendering;
 
 namespace NeuronMocap.Tool.Watch.Live;
 
-/// <summary>The keys, and what the words of the view mean. In a small window they take several pages.</summary>
+/// <summary>The keys, and the meaning of the words in the view. A small window needs several pages.</summary>
 internal static class HelpView
 {
     private const int WidestText = 100;
@@ -30,26 +30,26 @@ internal static class HelpView
         ("c", "clear the counters and the scale of the drawing"),
         ("Hz", "frames per second. 30.0/2: the server sends every second frame"),
         ("jitter", "standard deviation of the time between two frames"),
-        ("lost", "frames that the server sent and that did not arrive"),
-        ("gaps", "rows of lost frames"),
-        ("disordered", "frames that came twice, or after a later one"),
-        ("restarts", "how often the server began to count its frames anew"),
+        ("lost", "frames that the server sent but that did not arrive"),
+        ("gaps", "runs of lost frames"),
+        ("disordered", "frames that arrived twice, or after a later one"),
+        ("restarts", "how often the server restarted its frame numbers"),
         ("age", "time since the newest frame arrived"),
         ("latency", "not shown: a frame does not say when it was sent, so the time in transit cannot be known"),
-        ("feet", "L and R: the left or right foot is on the ground. ·: it is not. -: not known"),
-        ("dropped", "frames that found a queue of this program full"),
-        ("skipped", "bytes that are part of no packet"),
+        ("feet", "L and R: the left or right foot is on the ground. ·: it is not. -: unknown"),
+        ("dropped", "frames discarded because a queue of this program was full"),
+        ("skipped", "bytes that do not belong to a packet"),
         ("buffer", "datagrams that the system keeps until this program reads them. 4 MiB are asked for; 'diagnose' says how to get more"),
-        ("allocates", "memory that receiving takes. The drawing has a thread of its own, which is not counted"),
+        ("allocates", "memory that receiving takes. The drawing runs on another thread, which is not counted"),
         ("front, side", "the drawing as seen from +Z, and from -X"),
         ("ground", "the line at y = 0, with a mark every 50 cm, and L and R below the feet that stand on it"),
     ];
 
-    /// <summary>Shows a page.</summary>
+    /// <summary>Creates a page.</summary>
     /// <param name="isPlayback">Whether a file is played.</param>
-    /// <param name="page">The page, from 0.</param>
-    /// <param name="width">Columns that there are.</param>
-    /// <param name="height">Lines that there are, at least 2.</param>
+    /// <param name="page">Number of the page, from 0.</param>
+    /// <param name="width">Available columns.</param>
+    /// <param name="height">Available lines, at least 2.</param>
     public static IRenderable Create(bool isPlayback, int page, int width, int height)
     {
         IRenderable[][] pages = [.. Pages(isPlayback, Math.Min(width, WidestText), Math.Max(height - 1, 1))];
@@ -58,10 +58,10 @@ internal static class HelpView
         return new Rows([new StyledLine().Add($"HELP{number}", Palette.StrongStyle), .. pages[shown]]);
     }
 
-    /// <summary>How many pages there are.</summary>
+    /// <summary>Counts the pages.</summary>
     public static int CountPages(bool isPlayback, int width, int height) => Pages(isPlayback, Math.Min(width, WidestText), Math.Max(height - 1, 1)).Count();
 
-    // An entry is not divided, unless it is longer than a page.
+    // An entry is not divided unless it is longer than a page.
     private static IEnumerable<IRenderable[]> Pages(bool isPlayback, int width, int height)
     {
         var page = new List<IRenderable>();

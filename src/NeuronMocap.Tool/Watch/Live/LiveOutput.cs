@@ -8,7 +8,7 @@ using NeuronMocap.Tool.Watch.Recordings;
 
 namespace NeuronMocap.Tool.Watch.Live;
 
-/// <summary>The live view. It looks at the reader ten times a second and with every key, and draws. All of that is on one thread.</summary>
+/// <summary>The live view. It updates ten times a second and with every key. All its work is on one thread.</summary>
 internal sealed class LiveOutput(NeuronReader reader, RecordingPlayer? player, TakeRecorder takes, WatchOptions options, Stream output) : WatchOutput
 {
     private static readonly TimeSpan Period = TimeSpan.FromMilliseconds(100);
@@ -121,7 +121,7 @@ internal sealed class LiveOutput(NeuronReader reader, RecordingPlayer? player, T
         _ = EndAsync(take);
     }
 
-    // The disk may be slow; the view goes on.
+    // The disk may be slow, but the view goes on.
     private async Task EndAsync(Take take)
     {
         long arrived = takes.FramesArrived;

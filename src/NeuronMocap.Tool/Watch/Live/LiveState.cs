@@ -5,7 +5,7 @@ using NeuronMocap.Tool.Watch.Recordings;
 
 namespace NeuronMocap.Tool.Watch.Live;
 
-/// <summary>Everything that the live view shows, as of the last look at the reader. One thread; other threads may add failures and events.</summary>
+/// <summary>The data that the live view shows, from its last update. Use it on one thread; other threads may add failures and events.</summary>
 internal sealed class LiveState(WatchOptions options)
 {
     private static readonly TimeSpan NoticeTime = TimeSpan.FromSeconds(10);
@@ -21,63 +21,63 @@ internal sealed class LiveState(WatchOptions options)
 
     public WatchOptions Options => options;
 
-    /// <summary>What is played instead of a live stream; null for one.</summary>
+    /// <summary>The playback; null for a live stream.</summary>
     public RecordingPlayer? Player { get; init; }
 
-    /// <summary>The recordings of the run; null where none can be made.</summary>
+    /// <summary>The recordings of the run; null if recording is impossible.</summary>
     public TakeRecorder? Takes { get; init; }
 
-    /// <summary>Whether there are keys to press.</summary>
+    /// <summary>Whether a keyboard is available.</summary>
     public bool HasKeyboard { get; init; } = true;
 
-    /// <summary>The files that cannot be written any more, a recording and an export at most. Any thread.</summary>
+    /// <summary>The files that cannot be written any more: at most a recording and an export. Thread-safe.</summary>
     public IReadOnlyList<FileFailure> FileFailures => _failures;
 
-    /// <summary>What a key has done, for some seconds; null for nothing.</summary>
+    /// <summary>The effect of the last key, for some seconds; null for none.</summary>
     public string? Notice => _notice is { } notice && Stopwatch.GetElapsedTime(notice.Timestamp, Now) < NoticeTime ? notice.Text : null;
 
     public EventLog Events { get; } = new();
 
     public Counters Counters { get; } = new();
 
-    /// <summary>One scale for all avatars, so that their heights compare.</summary>
+    /// <summary>One scale for all avatars, so that their heights can be compared.</summary>
     public ViewScale Scale { get; private set; } = new();
 
     public ConnectionStatus Status { get; set; }
 
-    /// <summary>The avatars that motion frames came from, by their numbers.</summary>
+    /// <summary>The avatars with motion frames, ordered by their numbers.</summary>
     public IReadOnlyList<AvatarView> Views => [.. _views.Values];
 
-    /// <summary>The avatar that the table of bones shows; null before there was a frame.</summary>
+    /// <summary>The avatar in the bone table; null before the first frame.</summary>
     public AvatarView? Selected { get; private set; }
 
-    /// <summary>The newest motion frame of the selected avatar; null before there was one.</summary>
+    /// <summary>The newest pose of the selected avatar; null before the first.</summary>
     public Pose? Pose => Selected?.Pose;
 
-    /// <summary>Page of the bone table, or the place after the last page, where there is no table. Any number: it goes round.</summary>
+    /// <summary>Page of the bone table, or the place after the last page, which shows no table. Any number; it wraps round.</summary>
     public int BonePage { get; set; }
 
     public bool IsPaused { get; set; }
 
-    /// <summary>Page of the help, from 0; null when it is not shown.</summary>
+    /// <summary>Page of the help, from 0; null if the help is hidden.</summary>
     public int? HelpPage { get; set; }
 
     public long Now { get; private set; } = Stopwatch.GetTimestamp();
 
-    /// <summary>When the figures and the poses were taken: <see cref="Now"/>, unless paused.</summary>
+    /// <summary>Time of the statistics and poses: <see cref="Now"/>, unless paused.</summary>
     public long TakenAt { get; set; } = Stopwatch.GetTimestamp();
 
     public TimeSpan Uptime => Stopwatch.GetElapsedTime(_start, Now);
 
     public double BytesPerSecond => _bytes.PerSecond;
 
-    /// <summary>Bytes that the receive thread allocates per second. Drawing is not in it.</summary>
+    /// <summary>Bytes that the receive thread allocates per second. Drawing is not included.</summary>
     public double BytesAllocatedByReceiving => _allocated.PerSecond;
 
-    /// <summary>Measures what the receive thread allocates.</summary>
+    /// <summary>Measures the allocations of the receive thread.</summary>
     public ReceiveAllocations Allocations { get; } = new();
 
-    /// <summary>Looks at the reader.</summary>
+    /// <summary>Updates the state from the reader.</summary>
     public void Update(NeuronReader reader, LatestFrames latest)
     {
         Status = reader.Status;
@@ -112,7 +112,7 @@ internal sealed class LiveState(WatchOptions options)
             Scale.Include(view.Pose.Points);
     }
 
-    /// <summary>Keeps a file that failed in view. Any thread.</summary>
+    /// <summary>Keeps a failed file in view. Thread-safe.</summary>
     public void AddFailure(FileFailure failure)
     {
         lock (_lock)
@@ -121,7 +121,7 @@ internal sealed class LiveState(WatchOptions options)
         Events.Add(DateTime.Now, failure);
     }
 
-    /// <summary>Forgets a recording that failed or ended, because another one begins.</summary>
+    /// <summary>Removes a recording that failed or ended, because another one starts.</summary>
     public void ForgetLastRecording()
     {
         _notice = null;
@@ -129,17 +129,17 @@ internal sealed class LiveState(WatchOptions options)
             _failures = [.. _failures.Where(static failure => failure.IsExport)];
     }
 
-    /// <summary>Says for some seconds what a key has done, and keeps it in the events. Any thread.</summary>
+    /// <summary>Shows the effect of a key for some seconds, and adds it to the events. Thread-safe.</summary>
     public void Say(string text)
     {
         _notice = new TimedText(text, Stopwatch.GetTimestamp());
         Events.Add(DateTime.Now, text);
     }
 
-    /// <summary>The feet on the ground, where a calculation frame of the avatar said so.</summary>
+    /// <summary>Gets the feet on the ground from a calculation frame of the avatar; null without one.</summary>
     public FootContacts? GetContacts(int avatar) => _contacts.TryGetValue(avatar, out FootContacts contacts) ? contacts : null;
 
-    /// <summary>The feet on the ground: measured where the server sends that, or else estimated from the motion.</summary>
+    /// <summary>Gets the feet on the ground: measured if the server sends them, otherwise estimated from the motion.</summary>
     public FootContacts? GetFeet(AvatarView view) => GetContacts(view.Avatar) ?? view.Contacts;
 
     public void ResetCounters(NeuronReader reader)

@@ -19,13 +19,15 @@ internal sealed class Pose
     /// <summary>Whether the frame has the values of the 59 bones. If not, only the header is set.</summary>
     public bool HasSkeleton { get; private set; }
 
-    /// <summary>Supplies what the stream does not carry: where bones end and, without displacement, where they begin.</summary>
+    /// <summary>The body, for data that the stream lacks: the ends of bones and, without displacement, the positions of the joints.</summary>
     public SkeletonBody Body { get; private set; } = SkeletonBody.GetDefault();
 
-    /// <summary>Where the 59 bones are in the world.</summary>
+    /// <summary>The transforms of the 59 bones in the world.</summary>
     public ReadOnlySpan<BoneTransform> World => _world;
 
-    /// <summary>Where the points of the <see cref="Wireframe"/> are in the world, in the order of <see cref="JointPositions"/>; centimetres.</summary>
+    /// <summary>
+    /// Positions of the points of the <see cref="Wireframe"/> in the world, in the order of <see cref="JointPositions"/>; centimetres.
+    /// </summary>
     public ReadOnlySpan<Vector3> Points => _points;
 
     public void Take(MotionFrame frame)
@@ -43,9 +45,9 @@ internal sealed class Pose
             _angles[(int)bone] = frame.GetEulerAngles(bone);
     }
 
-    /// <summary>In the world, in centimetres.</summary>
+    /// <summary>Gets the position of a bone in the world, in centimetres.</summary>
     public Vector3 GetPosition(Bone bone) => _world[(int)bone].Position;
 
-    /// <summary>The three values of the stream, in its order, in degrees.</summary>
+    /// <summary>Gets the three angles of a bone in degrees, in the order of the stream.</summary>
     public Vector3 GetAngles(Bone bone) => _angles[(int)bone];
 }

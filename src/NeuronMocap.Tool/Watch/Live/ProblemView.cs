@@ -5,24 +5,24 @@ using Spectre.Console.Rendering;
 
 namespace NeuronMocap.Tool.Watch.Live;
 
-/// <summary>Says why there is no skeleton to show, and what to do about it.</summary>
+/// <summary>Explains why no skeleton is shown, and what to do about it.</summary>
 internal static class ProblemView
 {
-    /// <summary>Lines that the box takes besides the text.</summary>
+    /// <summary>Lines of the box in addition to the text.</summary>
     public const int SpaceAround = 5;
 
     private const int WidestText = 76;
     private const int BorderWidth = 6;
 
-    /// <summary>Lines that it takes without a box.</summary>
+    /// <summary>Gets the height without a box, in lines.</summary>
     public static int HeightOf(in Problem problem, LiveState state, int width) =>
         1 + WrappedText.Break(problem.Message, TextWidth(width), int.MaxValue).Count + (HeaderView.DescribeRetry(state.Status, state.Now).Length > 0 ? 1 : 0);
 
-    /// <summary>Shows the problem: in a box where there is room, or else in plain lines.</summary>
-    /// <param name="problem">What <see cref="FindInPlaceOfSkeleton"/> found.</param>
-    /// <param name="state">What the view shows.</param>
-    /// <param name="width">Columns that there are.</param>
-    /// <param name="height">Lines that there are.</param>
+    /// <summary>Shows the problem: in a box if there is room, otherwise in plain lines.</summary>
+    /// <param name="problem">The result of <see cref="FindInPlaceOfSkeleton"/>.</param>
+    /// <param name="state">The state of the view.</param>
+    /// <param name="width">Available columns.</param>
+    /// <param name="height">Available lines.</param>
     public static IRenderable Create(in Problem problem, LiveState state, int width, int height)
     {
         bool isFramed = HeightOf(problem, state, width) + SpaceAround <= height && width > WidestText;
@@ -30,7 +30,7 @@ internal static class ProblemView
         Style title = new(problem.Color, decoration: Decoration.Bold);
         int room = height - (retry.Length > 0 ? 1 : 0);
 
-        // In a very low window the sentences matter more than their title.
+        // In a very low window the sentences are more important than their title.
         IReadOnlyList<string> lines = WrappedText.Break(problem.Message, TextWidth(width), Math.Max(room, 1));
         bool hasTitle = lines.Count < room;
         if (!isFramed)
@@ -55,8 +55,8 @@ internal static class ProblemView
         return Align.Center(panel, VerticalAlignment.Middle);
     }
 
-    /// <summary>Finds why there is no skeleton to show.</summary>
-    /// <returns>Null when there is one.</returns>
+    /// <summary>Finds why no skeleton can be shown.</summary>
+    /// <returns>The problem; null if a skeleton can be shown.</returns>
     public static Problem? FindInPlaceOfSkeleton(LiveState state)
     {
         ConnectionStatus status = state.Status;
@@ -69,7 +69,7 @@ internal static class ProblemView
         return new(title, message, color);
     }
 
-    // A box is as wide as its text and a border; plain lines take the window.
+    // A box is as wide as its text and border. Plain lines use the whole window.
     private static int TextWidth(int width) => Math.Max(width > WidestText ? WidestText - BorderWidth : width, 1);
 
     private static (string Title, string Message, Color Color) Explain(LiveState state)
@@ -111,8 +111,8 @@ internal static class ProblemView
     };
 }
 
-/// <summary>What is wrong, and what to do.</summary>
-/// <param name="Title">In a few words.</param>
-/// <param name="Message">In sentences that name the setting to change; fit for a terminal.</param>
-/// <param name="Color">How bad it is.</param>
+/// <summary>A problem and its solution.</summary>
+/// <param name="Title">The problem in a few words.</param>
+/// <param name="Message">Sentences that name the setting to change; safe for a terminal.</param>
+/// <param name="Color">Severity of the problem.</param>
 internal readonly record struct Problem(string Title, string Message, Color Color);

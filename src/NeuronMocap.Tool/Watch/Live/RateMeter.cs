@@ -2,7 +2,7 @@ using System.Diagnostics;
 
 namespace NeuronMocap.Tool.Watch.Live;
 
-/// <summary>Growth of a counter per second, over about the last two seconds.</summary>
+/// <summary>Measures the growth of a counter per second, over about the last two seconds.</summary>
 internal sealed class RateMeter
 {
     private const double Window = 2;

@@ -1,16 +1,16 @@
 namespace NeuronMocap.Tool.Watch.Live;
 
-/// <summary>What the receive thread allocates. Drawing has a thread of its own and is not counted.</summary>
+/// <summary>Measures the allocations of the receive thread. Drawing runs on another thread and is not counted.</summary>
 internal sealed class ReceiveAllocations
 {
     private int _thread;
     private long _last;
     private long _total;
 
-    /// <summary>Bytes from the first frame on. Any thread.</summary>
+    /// <summary>Allocated bytes since the first frame. Thread-safe.</summary>
     public long Total => Volatile.Read(ref _total);
 
-    /// <summary>Receive thread, with every frame. The first one of another thread only says where to count from.</summary>
+    /// <summary>Called on the receive thread with every frame. The first frame on a new thread only sets the starting value.</summary>
     public void OnFrame()
     {
         long now = GC.GetAllocatedBytesForCurrentThread();

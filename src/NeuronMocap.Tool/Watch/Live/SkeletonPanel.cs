@@ -14,7 +14,7 @@ internal static class SkeletonPanel
 
     private static readonly TimeSpan Stale = TimeSpan.FromSeconds(1);
 
-    /// <summary>Draws as many avatars as there is room for, the selected one among them.</summary>
+    /// <summary>Draws as many avatars as there is room for, including the selected one.</summary>
     public static IRenderable Create(LiveState state, int width, int height)
     {
         AvatarView[] views = [.. state.Views.Where(static view => view.Pose.HasSkeleton)];
@@ -31,7 +31,7 @@ internal static class SkeletonPanel
         };
     }
 
-    // The avatars of a page stay while the selection moves among them. Room that is left shows the selected one from the side.
+    // The avatars of a page do not change while the selection moves among them. Remaining room shows the selected avatar from the side.
     private static IEnumerable<Tile> Choose(AvatarView[] views, AvatarView? selected, int room)
     {
         int shown = Math.Min(views.Length, room);
@@ -75,7 +75,7 @@ internal static class SkeletonPanel
 
     private readonly record struct Tile(AvatarView View, Viewpoint Viewpoint);
 
-    // A line that takes as many columns as the drawing below it.
+    // A line with the width of the drawing below it.
     private sealed class FixedWidth(IRenderable line, int width) : Renderable
     {
         protected override Measurement Measure(RenderOptions options, int maxWidth) => new(Math.Min(width, maxWidth), Math.Min(width, maxWidth));

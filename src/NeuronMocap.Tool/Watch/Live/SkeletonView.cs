@@ -3,13 +3,13 @@ using NeuronMocap.Tool.Terminal;
 
 namespace NeuronMocap.Tool.Watch.Live;
 
-/// <summary>Where the viewer stands.</summary>
+/// <summary>The position of the viewer.</summary>
 internal enum Viewpoint
 {
-    /// <summary>Looks along -Z, as face to face with a person who faces +Z: that person's left is on the right.</summary>
+    /// <summary>Looks along -Z, face to face with a person who faces +Z. The person's left is on the right.</summary>
     Front,
 
-    /// <summary>Looks along +X: a person who faces +Z shows the right side and looks to the right.</summary>
+    /// <summary>Looks along +X. A person who faces +Z shows the right side and looks to the right.</summary>
     Side,
 }
 
@@ -22,9 +22,9 @@ internal static class SkeletonView
 
     /// <summary>Draws a pose.</summary>
     /// <param name="pose">The pose.</param>
-    /// <param name="feet">The feet on the ground, marked with letters on its line; null where that is not known.</param>
-    /// <param name="viewpoint">Where the viewer stands.</param>
-    /// <param name="scale">How much of the world the view shows.</param>
+    /// <param name="feet">The feet on the ground, marked with letters on its line; null if unknown.</param>
+    /// <param name="viewpoint">The position of the viewer.</param>
+    /// <param name="scale">The scale of the view.</param>
     /// <param name="columns">Columns of the drawing.</param>
     /// <param name="rows">Lines of the drawing.</param>
     public static BrailleCanvas Draw(Pose pose, FootContacts? feet, Viewpoint viewpoint, ViewScale scale, int columns, int rows)
@@ -40,7 +40,8 @@ internal static class SkeletonView
         return canvas;
     }
 
-    // A letter on the ground below each foot that stands, so that contacts show without colours. Feet in one column have their letters side by side.
+    // Writes a letter on the ground below each foot that touches it, so that contacts are visible without colours. Feet in one column get letters
+    // side by side.
     private static void MarkFeet(BrailleCanvas canvas, Projection projection, Pose pose, FootContacts feet)
     {
         int row = BrailleCanvas.RowOf(projection.Vertical(0));
@@ -54,7 +55,7 @@ internal static class SkeletonView
             canvas.Write(right, row, RightMark.ToString(), Palette.Right);
     }
 
-    // The marks stand still in the world, so that a walk shows although the view follows the hips.
+    // The marks are fixed in the world, so that a walk is visible although the view follows the hips.
     private static void DrawGround(BrailleCanvas canvas, Projection projection)
     {
         float y = projection.Vertical(0);
@@ -64,7 +65,7 @@ internal static class SkeletonView
             canvas.DrawLine(projection.Horizontal(mark), y, projection.Horizontal(mark), y + 2, Palette.Ground);
     }
 
-    // The nearest lines come last and give a cell its colour.
+    // The nearest lines come last and determine the colour of a cell.
     private static void DrawLines(BrailleCanvas canvas, Projection projection, Pose pose)
     {
         WireframeLine[] lines = Wireframe.Lines(pose.Format.Variant).ToArray();
@@ -90,7 +91,7 @@ internal static class SkeletonView
         private readonly float _centre = viewpoint == Viewpoint.Front ? hips.X : hips.Z;
         private readonly float _middle = (canvas.Width - 1) / 2f;
 
-        // The room below the ground is what the scale asks for. The rest goes above the head.
+        // The scale gives the room below the ground. The rest of the room is above the head.
         private readonly float _ground = canvas.Height - 1 + (scale.Bottom * scale.DotsPerCentimetre(canvas));
 
         public float Scale { get; } = scale.DotsPerCentimetre(canvas);

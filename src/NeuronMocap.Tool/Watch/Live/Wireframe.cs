@@ -2,7 +2,7 @@ using NeuronMocap.Skeleton;
 
 namespace NeuronMocap.Tool.Watch.Live;
 
-/// <summary>Which part of the body a line belongs to.</summary>
+/// <summary>The part of the body to which a line belongs.</summary>
 internal enum BodyPart
 {
     Middle,
@@ -13,7 +13,7 @@ internal enum BodyPart
 /// <summary>A line of the drawn skeleton, between two of its <see cref="JointPositions"/>.</summary>
 internal readonly record struct WireframeLine(int From, int To, BodyPart Part);
 
-/// <summary>The lines that make a person: between the points of the 59 bones and where the outermost ones end.</summary>
+/// <summary>The lines of a drawn person, between the points of the 59 bones and the ends of the outermost bones.</summary>
 internal static class Wireframe
 {
     private static readonly WireframeLine[] Neck1 = [.. MakeLines(SkeletonVariant.Neck1)];

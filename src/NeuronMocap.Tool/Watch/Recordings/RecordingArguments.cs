@@ -18,7 +18,7 @@ internal sealed class RecordingArguments
     {
         HelpName = "FILE",
         Description = "Record every byte that arrives, with its time, to this file, usually named .nmrec, while the stream is shown. The file can be read "
-            + "after any end of this program.",
+            + "however this program ends.",
         Arity = ArgumentArity.ExactlyOne,
     };
 
@@ -27,7 +27,7 @@ internal sealed class RecordingArguments
     private readonly Option<int?> _size = new("--record-size")
     {
         HelpName = "MB",
-        Description = $"With --record: begin another file before one grows past this many megabytes, {SmallestFile} to {LargestFile}. The files have numbers: "
+        Description = $"With --record: start a new file before one exceeds this many megabytes, {SmallestFile} to {LargestFile}. The files have numbers: "
             + "take.0001.nmrec and so on.",
         CustomParser = result => Parse(result, SmallestFile, LargestFile, "megabytes"),
         Arity = ArgumentArity.ExactlyOne,
@@ -36,7 +36,7 @@ internal sealed class RecordingArguments
     private readonly Option<int?> _time = new("--record-time")
     {
         HelpName = "SECONDS",
-        Description = $"With --record: begin another file after this many seconds, 1 to {LongestFile}.",
+        Description = $"With --record: start a new file after this many seconds, 1 to {LongestFile}.",
         CustomParser = result => Parse(result, 1, LongestFile, "seconds"),
         Arity = ArgumentArity.ExactlyOne,
     };
@@ -54,7 +54,7 @@ internal sealed class RecordingArguments
 
     public Option[] All => [_record, _compress, _size, _time, _files];
 
-    /// <summary>Adds an error for every option that has no meaning without another.</summary>
+    /// <summary>Adds an error for every option that needs another option.</summary>
     public void RejectContradictions(CommandResult result)
     {
         if (!Verb.IsGiven(result, _record))
@@ -67,7 +67,7 @@ internal sealed class RecordingArguments
 
         FileNames.Reject(result, _record, "a recording", ".nmrec");
         if (Verb.IsGiven(result, _files) && !Verb.IsGiven(result, _size) && !Verb.IsGiven(result, _time))
-            result.AddError("--record-files needs --record-size or --record-time: there is only one file without.");
+            result.AddError("--record-files needs --record-size or --record-time: without them there is only one file.");
         if (result.GetResult(_record)!.Tokens is [var path] && string.IsNullOrWhiteSpace(path.Value))
             result.AddError("--record: the name of the file is empty.");
     }

@@ -4,15 +4,15 @@ using NeuronMocap.Tool.Terminal;
 
 namespace NeuronMocap.Tool.Watch.Recordings;
 
-/// <summary>What to record to.</summary>
+/// <summary>Settings of a recording.</summary>
 /// <param name="Path">The file, as the command line names it.</param>
-/// <param name="Options">How.</param>
+/// <param name="Options">The options of the recording.</param>
 internal sealed record RecordingSettings(string Path, RecordingOptions Options)
 {
-    /// <summary>Begins the recording.</summary>
-    /// <param name="reader">What to record.</param>
-    /// <param name="error">Why it cannot begin.</param>
-    /// <returns>The recording; null when it cannot begin.</returns>
+    /// <summary>Starts the recording.</summary>
+    /// <param name="reader">The reader to record.</param>
+    /// <param name="error">The reason if the recording cannot start.</param>
+    /// <returns>The recording; null if it cannot start.</returns>
     public StreamRecorder? TryStart(NeuronReader reader, out string? error)
     {
         try

@@ -17,7 +17,7 @@ internal static class RecordingSummary
         string path = TerminalText.Clean(recorder.CurrentPath);
         string files = statistics.Files == 1 ? path : Quantity.Format($"{statistics.Files} files, the last one {path}");
 
-        // How many frames a file holds that could not be written to its end, only the file can tell.
+        // If a file could not be written to its end, only the file itself knows the number of its frames.
         string frames = recorder.Failure is null ? Quantity.Format($"{take.CountFrames(arrived):#,0} frames, ") : string.Empty;
         string text = Quantity.Format(
             $"recorded {statistics.Duration.TotalSeconds:0.0} s, {frames}{statistics.Bytes:#,0} bytes in {statistics.Pieces:#,0} pieces, to {files}; lost {statistics.LostPieces:#,0} pieces");

@@ -2,25 +2,25 @@ using NeuronMocap.Recording;
 
 namespace NeuronMocap.Tool.Watch.Recordings;
 
-/// <summary>One recording of a run, and the frames that arrived while it ran.</summary>
+/// <summary>One recording of a run, and the number of frames that arrived during it.</summary>
 /// <param name="recorder">Writes the file.</param>
-/// <param name="framesBefore">Frames that had arrived when it began.</param>
+/// <param name="framesBefore">Number of frames that had arrived at its start.</param>
 internal sealed class Take(StreamRecorder recorder, long framesBefore)
 {
     private long? _framesAtEnd;
 
     public StreamRecorder Recorder => recorder;
 
-    /// <summary>Whether it still records. False once it was stopped or has failed.</summary>
+    /// <summary>Whether it is still recording. False after it was stopped or has failed.</summary>
     public bool IsRecording => _framesAtEnd is null && recorder.Failure is null;
 
-    /// <summary>Frames that the recording has seen.</summary>
+    /// <summary>Gets the number of frames that arrived during the recording.</summary>
     /// <param name="arrived">Frames that have arrived in the whole run.</param>
     public long CountFrames(long arrived) => (_framesAtEnd ?? arrived) - framesBefore;
 
-    /// <summary>Begins to end the recording, without waiting for the disk.</summary>
+    /// <summary>Requests the end of the recording, without waiting for the disk.</summary>
     /// <param name="arrived">Frames that have arrived in the whole run.</param>
-    /// <returns>Completes when the file is closed.</returns>
+    /// <returns>A task that completes when the file is closed.</returns>
     public Task StopAsync(long arrived)
     {
         Task closed = recorder.StopAsync(CancellationToken.None);

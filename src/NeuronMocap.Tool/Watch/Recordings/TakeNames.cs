@@ -2,11 +2,11 @@ using System.Globalization;
 
 namespace NeuronMocap.Tool.Watch.Recordings;
 
-/// <summary>The names of the files that the key of the live view begins.</summary>
+/// <summary>The names of files that the recording key of the live view creates.</summary>
 internal static class TakeNames
 {
-    /// <summary>Names to try in turn, until one is free: take.nmrec, take-2.nmrec and so on.</summary>
-    /// <param name="path">What --record says. Null makes a name of the date and time, in the current folder.</param>
+    /// <summary>Gets names to try in turn until one is free: take.nmrec, take-2.nmrec and so on.</summary>
+    /// <param name="path">The path of --record. Null uses the date and time, in the current folder.</param>
     /// <param name="now">The time of this computer.</param>
     public static IEnumerable<string> After(string? path, DateTime now)
     {

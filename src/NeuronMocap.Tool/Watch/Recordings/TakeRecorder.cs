@@ -7,30 +7,30 @@ using NeuronMocap.Tool.Watch.Export;
 
 namespace NeuronMocap.Tool.Watch.Recordings;
 
-/// <summary>The recordings of a run: that of --record, and those that the key of the live view begins. One thread at a time.</summary>
-/// <param name="reader">What to record.</param>
-/// <param name="settings">What --record asks for; null without it.</param>
+/// <summary>The recordings of a run: that of --record, and those that the key of the live view starts. Not thread-safe.</summary>
+/// <param name="reader">The reader to record.</param>
+/// <param name="settings">The settings of --record; null without it.</param>
 internal sealed class TakeRecorder(NeuronReader reader, RecordingSettings? settings)
 {
     private readonly List<Take> _takes = [];
 
-    /// <summary>The recordings, in the order in which they began.</summary>
+    /// <summary>The recordings, in the order of their start.</summary>
     public IReadOnlyList<Take> Takes => _takes;
 
-    /// <summary>The recording that runs; null for none.</summary>
+    /// <summary>The running recording; null for none.</summary>
     public Take? Current => _takes is [.., { IsRecording: true } last] ? last : null;
 
     /// <summary>Completes when the recording of --record has failed. Null without one.</summary>
     public Task? Broken { get; private set; }
 
-    /// <summary>Frames of all kinds that have arrived in the run.</summary>
+    /// <summary>Number of frames of all kinds that have arrived in the run.</summary>
     public long FramesArrived => CountFrames(reader.GetStatistics());
 
     public static long CountFrames(ReaderStatistics statistics) =>
         statistics.MotionFrames + statistics.CalculationFrames + statistics.StudioCalculationFrames;
 
-    /// <summary>Begins what --record asks for.</summary>
-    /// <param name="error">Why it cannot begin.</param>
+    /// <summary>Starts the recording of --record.</summary>
+    /// <param name="error">The reason if it cannot start.</param>
     public bool TryBegin(out string? error)
     {
         error = null;
@@ -44,9 +44,9 @@ internal sealed class TakeRecorder(NeuronReader reader, RecordingSettings? setti
         return true;
     }
 
-    /// <summary>Begins another recording, in a file that was not there before.</summary>
+    /// <summary>Starts another recording, in a new file.</summary>
     /// <param name="now">The time of this computer, for the name of the file.</param>
-    /// <returns>Null, or why it cannot begin.</returns>
+    /// <returns>Null, or the reason why it cannot start.</returns>
     public FileFailure? Begin(DateTime now)
     {
         var options = new RecordingOptions
@@ -80,9 +80,9 @@ internal sealed class TakeRecorder(NeuronReader reader, RecordingSettings? setti
         throw new UnreachableException();
     }
 
-    /// <summary>Closes the files and writes what became of each recording. The reader has ended by now.</summary>
-    /// <param name="streams">Receives a line for each on standard error.</param>
-    /// <returns>Whether all of them are whole.</returns>
+    /// <summary>Closes the files and reports the result of each recording. The reader has ended before.</summary>
+    /// <param name="streams">Receives a line for each recording on standard error.</param>
+    /// <returns>Whether all recordings are complete.</returns>
     public async Task<bool> FinishAsync(StandardStreams streams)
     {
         foreach (Take take in _takes)
@@ -94,7 +94,7 @@ internal sealed class TakeRecorder(NeuronReader reader, RecordingSettings? setti
         return _takes.TrueForAll(static take => take.Recorder is { Failure: null, Completion.IsCompleted: true });
     }
 
-    /// <summary>"Recorded 12.3 s, 738 frames, 1.1 MB to take.nmrec."</summary>
+    /// <summary>Formats "Recorded 12.3 s, 738 frames, 1.1 MB to take.nmrec."</summary>
     public static string DescribeEnd(Take take, long arrived)
     {
         RecordingStatistics statistics = take.Recorder.GetStatistics();
