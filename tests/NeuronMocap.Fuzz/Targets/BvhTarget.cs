@@ -39,7 +39,7 @@ internal static class BvhTarget
         for (int i = 0; i < document.Joints.Count; i++)
         {
             BvhJoint joint = document.Joints[i];
-            WrongResultException.ThrowUnless(joint.Index == i && (joint.Parent?.Index ?? -1) < i, "A joint stands before its parent.");
+            WrongResultException.ThrowUnless(joint.Index == i && (joint.Parent?.Index ?? -1) < i, "A joint comes before its parent.");
             channels += joint.Channels.Count;
             input.Digest.Add(joint.Name);
             input.Digest.Add(joint.Offset.X + joint.Offset.Y + joint.Offset.Z + (joint.EndSite?.Y ?? 0));

@@ -97,13 +97,13 @@ public sealed class TargetRigTests
     [Fact]
     public void An_invalid_rig_is_refused()
     {
-        AssertRefused("stands before its parent", nodes => nodes[2] = nodes[2] with { Parent = 2 });
-        AssertRefused("stands before its parent", nodes => nodes[2] = nodes[2] with { Parent = -2 });
+        AssertRefused("comes before its parent", nodes => nodes[2] = nodes[2] with { Parent = 2 });
+        AssertRefused("comes before its parent", nodes => nodes[2] = nodes[2] with { Parent = -2 });
         AssertRefused("no number", nodes => nodes[2] = nodes[2] with { Position = new Vector3(0, float.NaN, 0) });
         AssertRefused("no number", nodes => nodes[2] = nodes[2] with { Scale = new Vector3(0, 0, float.PositiveInfinity) });
         AssertRefused("no number", nodes => nodes[2] = nodes[2] with { Rotation = new Quaternion(float.NaN, 0, 0, 1) });
         AssertRefused("length zero", nodes => nodes[2] = nodes[2] with { Rotation = default });
-        AssertRefused("is two bones", change: null, nodeByBone => nodeByBone[5] = nodeByBone[6]);
+        AssertRefused("is mapped to two bones", change: null, nodeByBone => nodeByBone[5] = nodeByBone[6]);
         AssertRefused("no node 55", change: null, nodeByBone => nodeByBone[5] = 55);
         AssertRefused("no node -2", change: null, nodeByBone => nodeByBone[5] = -2);
         AssertRefused("hips have no node", change: null, nodeByBone => nodeByBone[0] = -1);

@@ -92,7 +92,7 @@ namespace NeuronMocap.Unity
                 case BodyParts.RightFingers: return ref _rightFingers;
                 case BodyParts.LeftLeg: return ref _leftLeg;
                 case BodyParts.RightLeg: return ref _rightLeg;
-                default: throw new ArgumentOutOfRangeException(nameof(part), part, "One of the nine parts of the body.");
+                default: throw new ArgumentOutOfRangeException(nameof(part), part, "The value must be one of the nine parts of the body.");
             }
         }
     }

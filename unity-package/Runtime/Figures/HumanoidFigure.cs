@@ -81,7 +81,7 @@ namespace NeuronMocap.Unity
         public Transform GetBone(Bone bone)
         {
             if ((uint)bone >= (uint)_bones.Length)
-                throw new ArgumentOutOfRangeException(nameof(bone), bone, "There are 59 bones, 0 to 58.");
+                throw new ArgumentOutOfRangeException(nameof(bone), bone, "The bone must be one of the 59 bones, 0 to 58.");
 
             return _bones[(int)bone];
         }

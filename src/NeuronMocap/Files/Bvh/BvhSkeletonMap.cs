@@ -44,7 +44,7 @@ public sealed class BvhSkeletonMap
     /// <exception cref="ArgumentOutOfRangeException">There is no such bone.</exception>
     public BvhJoint this[Bone bone] => (uint)bone < BoneHierarchy.BoneCount
         ? _joints[(int)bone]
-        : throw new ArgumentOutOfRangeException(nameof(bone), bone, "There are 59 bones, 0 to 58.");
+        : throw new ArgumentOutOfRangeException(nameof(bone), bone, "The bone must be one of the 59 bones, 0 to 58.");
 
     /// <summary>The body that the file's hierarchy describes: its OFFSETs and End Sites. A leaf without End Site ends at its joint.</summary>
     /// <returns>A body of the file's own <see cref="SkeletonVariant"/>; centimetres, as the file's own unit is taken to be.</returns>
