@@ -101,7 +101,7 @@ public sealed class SourceCommandsTests : IDisposable
 
         ImmediateGui.Click(_draw, SourcePanel.Record);
 
-        Assert.Contains("the recording could not begin", Assert.Single(ConsoleLog.Problems).Message, StringComparison.Ordinal);
+        Assert.Contains("the recording could not start", Assert.Single(ConsoleLog.Problems).Message, StringComparison.Ordinal);
         ImmediateGui.Draw(_draw);
         Assert.Contains(SourcePanel.Record, EditorWorld.Labels("Button"));
     }
