@@ -7,7 +7,7 @@ using NeuronMocap.Fuzz.Running;
 
 namespace NeuronMocap.Fuzz;
 
-/// <summary>The command line. Ends with 0 when nothing was found, 1 when something was, 2 on bad usage, 128 and the signal when stopped.</summary>
+/// <summary>The command line. The exit code is 0 for no findings, 1 for findings, 2 for bad usage, and 128 plus the signal when stopped.</summary>
 internal sealed class FuzzCommand : RootCommand
 {
     private const int Clean = 0;
@@ -144,7 +144,7 @@ internal sealed class FuzzCommand : RootCommand
         }
     }
 
-    // Whether nothing was found.
+    // Returns true if nothing was found.
     private bool Fuzz(FuzzTarget[] targets, ParseResult options, ulong seed, CancellationToken stop, out bool isCutShort)
     {
         long bytes = options.GetValue(_bytes);
@@ -166,7 +166,7 @@ internal sealed class FuzzCommand : RootCommand
         return all.Length == 0;
     }
 
-    // 20261122 is the seed of that day, on every computer, and gives the same run again.
+    // The seed 20261122 is that of the day on every computer, and repeats the same run.
     private static ulong ParseSeed(ArgumentResult result)
     {
         string text = result.Tokens.Count == 1 ? result.Tokens[0].Value : string.Empty;

@@ -4,7 +4,9 @@ using NeuronMocap.Skeleton;
 
 namespace NeuronMocap.Fuzz.Targets;
 
-/// <summary>The input as a BVH file: what is read keeps the promises of the documentation, what is refused names its place; pieces and strict reading agree with it.</summary>
+/// <summary>
+/// The input as a BVH file. A result keeps the documented rules, and a rejection names its place. Reading in pieces and strict reading agree with it.
+/// </summary>
 internal static class BvhTarget
 {
     public static void Run(FuzzInput input)

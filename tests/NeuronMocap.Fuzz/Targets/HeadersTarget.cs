@@ -4,8 +4,7 @@ using NeuronMocap.Protocol;
 namespace NeuronMocap.Fuzz.Targets;
 
 /// <summary>
-/// The three headers read at every place that may be one, and at places that cannot. A header that was read and written again is
-/// the same header.
+/// Reads the three headers at every possible place, and at impossible ones. A header that is read and written again stays the same.
 /// </summary>
 internal static class HeadersTarget
 {

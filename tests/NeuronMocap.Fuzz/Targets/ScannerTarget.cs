@@ -3,7 +3,7 @@ using NeuronMocap.Protocol;
 
 namespace NeuronMocap.Fuzz.Targets;
 
-/// <summary>The whole input in one piece, and its tails, through scanners of different limits.</summary>
+/// <summary>Scans the whole input in one piece, and its tails, with different limits.</summary>
 internal sealed class ScannerTarget
 {
     private const int Tails = 16;

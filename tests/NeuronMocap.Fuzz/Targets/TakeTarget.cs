@@ -6,7 +6,9 @@ using NeuronMocap.Skeleton;
 
 namespace NeuronMocap.Fuzz.Targets;
 
-/// <summary>Every motion packet of the input as a row of an exported BVH file, with gaps filled and without: the file holds as many rows as are told.</summary>
+/// <summary>
+/// Exports every motion packet of the input as a row of a BVH file, with and without filled gaps. The file has the reported number of rows.
+/// </summary>
 internal sealed class TakeTarget
 {
     private readonly PacketScanner _scanner = new();
