@@ -6,7 +6,7 @@ using NeuronMocap.Transport;
 
 namespace NeuronMocap.Tests.Diagnostics;
 
-// Frames with arrival times of the test's own, so that no clock has a say.
+// Frames with arrival times set by the test, so that no clock matters.
 public sealed class RateExaminationTests
 {
     [Theory]
@@ -51,7 +51,7 @@ public sealed class RateExaminationTests
         Assert.Contains(said, conclusion.Verdicts[0].Advice, StringComparison.Ordinal);
     }
 
-    // The account that the reader gives.
+    // The statistics that the reader provides.
     [Fact]
     public void Losses_in_a_looping_take_are_found()
     {

@@ -70,7 +70,7 @@ public sealed class MotionFrameTests
         Assert.Equal(Ascending(count), frame.Values.ToArray());
     }
 
-    // Flags that contradict the count: the count tells where the values are, the flags stay readable in the header.
+    // Flags that contradict the count: the count determines the layout, and the header still contains the flags.
     [Theory]
     [InlineData(180, true, true)]
     [InlineData(186, true, false)]

@@ -4,7 +4,7 @@ using NeuronMocap.Tests.Network;
 
 namespace NeuronMocap.Tests.Reader;
 
-// A program may start its reader while all its pool threads are blocked, and shall get its frames all the same.
+// A program may start its reader while all its pool threads are blocked. It must still receive frames.
 [Collection(nameof(Alone))]
 public sealed partial class StarvedStartTests
 {
@@ -31,7 +31,7 @@ public sealed partial class StarvedStartTests
         });
     }
 
-    // A task that ends in the very moment in which it is awaited makes the runtime ask the pool for a thread. That is rare; the next start then does without.
+    // If a task ends at the very moment when it is awaited, the runtime needs a pool thread. That is rare, and the next start does without it.
     private static NeuronReader StartUntilConnected(string host, Socket listener, CountdownEvent received)
     {
         for (int start = 1; ; start++)
