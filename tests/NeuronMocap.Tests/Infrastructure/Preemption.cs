@@ -6,6 +6,7 @@ namespace NeuronMocap.Tests.Infrastructure;
 /// Preempts other threads in the middle of their work. Its threads sleep and then run for a fraction of a millisecond, because a system prefers a
 /// waking thread to a running one. There are two threads for each processor. Half of them are above and half below the usual priority, if the system
 /// honours that (Linux does not).
+/// </summary>
 internal sealed class Preemption : IDisposable
 {
     private readonly Thread[] _threads;

@@ -40,7 +40,7 @@ public sealed class TargetRigTests
         Assert.Throws<ArgumentOutOfRangeException>(() => rig.GetNode((Bone)59));
     }
 
-    // From the T-pose alone, to quarter turns: exactly none for the many characters that stand as they should.
+    // From the T-pose alone, to quarter turns. It is exactly the identity for the many characters in the usual orientation.
     [Fact]
     public void The_facing_of_a_character_is_found()
     {
@@ -63,7 +63,7 @@ public sealed class TargetRigTests
         RigNode[] nodes = TestRigs.Under(new RigNode("Armature", -1, Vector3.Zero, between), TestRigs.HumanoidNodes());
         Assert.Equal(Quaternion.Identity, TargetRig.CreateHumanoid(nodes, TestRigs.Under(TestRigs.NodeOf())).Facing);
 
-        // Nothing but hips.
+        // Only hips.
         int[] nodeByBone = [.. Enumerable.Repeat(-1, HumanoidBones.Count)];
         nodeByBone[0] = 0;
         TargetRig lone = TargetRig.CreateHumanoid([new RigNode("Hips", -1, Vector3.UnitY, Quaternion.Identity)], nodeByBone);
@@ -88,7 +88,7 @@ public sealed class TargetRigTests
         nodes[0] = nodes[0] with { Scale = new Vector3(1.1f, -1.1f, 1.1f) };
         Assert.False(TargetRig.CreateHumanoid(nodes, TestRigs.NodeOf()).IsSheared);
 
-        // Nothing hangs from it.
+        // Without children.
         nodes[0] = nodes[0] with { Scale = Vector3.One };
         nodes[^1] = nodes[^1] with { Scale = new Vector3(1, 2, 3) };
         Assert.False(TargetRig.CreateHumanoid(nodes, TestRigs.NodeOf()).IsSheared);
@@ -115,7 +115,7 @@ public sealed class TargetRigTests
         Assert.Throws<ArgumentException>(() => TargetRig.CreateGeneric(TestRigs.HumanoidNodes(), new int[55]));
     }
 
-    // Bones that hang side by side, as some exporters and physics set-ups have them.
+    // Sibling bones, as created by some exporters and physics set-ups.
     [Fact]
     public void A_flat_rig_gets_world_rotations()
     {

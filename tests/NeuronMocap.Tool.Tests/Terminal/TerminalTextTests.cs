@@ -28,7 +28,7 @@ public sealed class TerminalTextTests
     [InlineData("e\u0301")]
     public void Ordinary_names_are_unchanged(string name) => Assert.Same(name, TerminalText.Clean(name));
 
-    // An attribute cannot hold half of a pair.
+    // An attribute cannot hold half of a surrogate pair.
     [Fact]
     public void Halves_of_surrogate_pairs_become_dots() => Assert.Equal("a·b·", TerminalText.Clean("a\ud800b\udc00"));
 

@@ -27,7 +27,7 @@ public sealed class DriverInspectorTests : IDisposable
         ImmediateGui.Draw(inspector.OnInspectorGUI);
         Assert.Equal(Dot(Severity.Good), EditorWorld.DotOf($"Follows {driver.Performer}"));
 
-        // Its rest pose is taken: the check would look at the performer's pose.
+        // The rest pose is already captured, so a check would examine the performer's pose.
         Assert.DoesNotContain(FigureDriverEditor.CheckAgain, EditorWorld.Labels("Button"));
 
         driver.enabled = false;

@@ -1,6 +1,6 @@
 namespace NeuronMocap.Unity.Tests.StandIn;
 
-/// <summary>The recipe of a Humanoid, and that each way to get it wrong is noticed.</summary>
+/// <summary>The steps to create a Humanoid, and that each possible mistake is detected.</summary>
 public sealed class AvatarTests : IDisposable
 {
     private static readonly (HumanBodyBones Bone, HumanBodyBones? Parent, Vector3 Offset)[] Bones =
