@@ -70,7 +70,7 @@ public sealed partial class VendorSurfaceTests
         foreach (VendorField field in fields)
         {
             Type actual = type.GetField(field.Name)?.FieldType ?? Assert.IsType<PropertyInfo>(type.GetProperty(field.Name), exactMatch: false).PropertyType;
-            Assert.True(Converts(actual, TypeOf(space, field.Type)), $"{field.Name} is {actual}, which is no {field.Type}.");
+            Assert.True(Converts(actual, TypeOf(space, field.Type)), $"{field.Name} is {actual}, not {field.Type}.");
         }
     }
 

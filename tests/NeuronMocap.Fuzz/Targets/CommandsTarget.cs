@@ -146,7 +146,7 @@ internal sealed class CommandsTarget
                 return _replies.ReadZeroOut(payload, avatar: 0) ? 1 : 0;
             case CommandChannelId.RotationOrder:
                 RotationOrder order = _replies.ReadRotationOrder(payload);
-                WrongResultException.ThrowUnless(Enum.IsDefined(order), "{0} is no order.", order);
+                WrongResultException.ThrowUnless(Enum.IsDefined(order), "{0} is not an order.", order);
                 return (int)order;
             case CommandChannelId.BoneDimensions:
                 BoneDimensions sizes = _replies.ReadDimensions(payload, avatar: 0);

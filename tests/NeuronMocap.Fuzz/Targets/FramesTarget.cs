@@ -162,7 +162,7 @@ internal sealed class FramesTarget
             return;
         }
 
-        throw new WrongResultException("A frame without bones told something of one.");
+        throw new WrongResultException("A frame without bones returned data of a bone.");
     }
 
     private static bool HasNaN(ReadOnlySpan<float> values)

@@ -105,7 +105,7 @@ internal static class HeadersTarget
     }
 
     private static void CheckSize(int size, int count) => WrongResultException.ThrowUnless(
-        count >= 0 && size == ProtocolConstants.HeaderSize + ((long)count * sizeof(float)), "{0} values are no packet of {1} bytes.", count, size);
+        count >= 0 && size == ProtocolConstants.HeaderSize + ((long)count * sizeof(float)), "{0} values do not make a packet of {1} bytes.", count, size);
 
     private static void Same<T>(bool isSame, T header)
     {

@@ -45,7 +45,7 @@ internal sealed class TakeTarget
             return;
 
         var take = BvhDocument.Parse(file.ToArray());
-        WrongResultException.ThrowUnless(take.FrameCount == writer.FrameCount, "{0} rows are told and {1} written.", writer.FrameCount, take.FrameCount);
+        WrongResultException.ThrowUnless(take.FrameCount == writer.FrameCount, "{0} rows are reported but {1} are written.", writer.FrameCount, take.FrameCount);
         for (int frame = 0; frame < take.FrameCount; frame++)
             input.Digest.Add((long)FloatBits.Sum(take.GetFrame(frame)));
     }

@@ -76,7 +76,7 @@ public sealed class RateExaminationTests
         byte[] packet = TestPackets.Motion(1);
         for (int i = 0; i < 50; i++)
         {
-            packet[46] = (byte)i; // the index goes on, the values do not
+            packet[46] = (byte)i; // the index advances, the values do not
             Deliver(sample, packet, i / 60.0);
         }
 

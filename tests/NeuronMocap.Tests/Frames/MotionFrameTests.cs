@@ -246,7 +246,7 @@ public sealed class MotionFrameTests
     [Theory]
     [InlineData(1, 1, HeaderLayout.New)]
     [InlineData(1, 0, HeaderLayout.Old)]
-    [InlineData(0, 0, HeaderLayout.Old)] // none: as text has it, and default(MotionHeader)
+    [InlineData(0, 0, HeaderLayout.Old)] // none: text frames, and default(MotionHeader)
     public void A_frame_can_be_created_without_a_stream(byte major, byte minor, HeaderLayout layout)
     {
         float[] values = Ascending(354);

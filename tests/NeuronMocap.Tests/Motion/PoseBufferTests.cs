@@ -146,7 +146,7 @@ public sealed class PoseBufferTests
     }
 
     [Theory]
-    [InlineData(0u, true)] // the server starts again
+    [InlineData(0u, true)] // the server restarts
     [InlineData(4_000_000_000u, true)]
     [InlineData(0u, false)]
     public void A_paused_sender_is_followed_again(uint firstIndex, bool hasIndex)

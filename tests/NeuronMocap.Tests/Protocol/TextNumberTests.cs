@@ -140,7 +140,7 @@ public class TextNumberTests
             int bits = (i % 4) switch
             {
                 0 => random.Next(0x0080_0000), // subnormal
-                1 => random.Next(0x7F00_0000, 0x7F80_0000), // up to the largest, beside which lies infinity
+                1 => random.Next(0x7F00_0000, 0x7F80_0000), // up to the largest, next to infinity
                 2 => random.Next(0x100) << 23, // just above and below a power of two
                 _ => random.Next(0x7F80_0000),
             };

@@ -120,7 +120,7 @@ public sealed class EventTests
 
             Volatile.Write(ref busy, true);
             entered.TrySetResult();
-            Thread.Sleep(300); // longer than a stop that does not wait takes
+            Thread.Sleep(300); // longer than a stop that does not wait
             Volatile.Write(ref busy, false);
         };
         reader.Start();
@@ -152,7 +152,7 @@ public sealed class EventTests
         using TestConnection connection = await server.AcceptAsync();
         await connection.SendAsync(TestPackets.Join(TestPackets.Motion(1), TestPackets.Motion(2), TestPackets.Motion(5), TestPackets.Motion(6)));
         await reader.WaitForFramesAsync(4);
-        await log.WaitAsync(ConnectionState.Silent); // which the timer tells that looks for losses too
+        await log.WaitAsync(ConnectionState.Silent); // set by the timer that also looks for losses
         reader.EventReported += Keep;
         await Limits.UntilAsync(() => Events().Any(reported => reported.Id == ReaderEventId.FramesLost));
         Assert.Equal(2, Events().First(reported => reported.Id == ReaderEventId.FramesLost).Count);

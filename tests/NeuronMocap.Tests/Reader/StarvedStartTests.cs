@@ -17,7 +17,7 @@ public sealed partial class StarvedStartTests
     [InlineData("localhost")]
     public async Task A_reader_starts_and_receives_without_a_thread_of_the_pool(string host)
     {
-        using var warm = new NeuronReader(host); // what is loaded with the first reader needs no pool, but time
+        using var warm = new NeuronReader(host); // loads code in advance, which needs no pool but takes time
         await StarvedPool.RunAsync(() =>
         {
             using var listener = new Socket(AddressFamily.InterNetwork, SocketType.Stream, ProtocolType.Tcp);
@@ -43,7 +43,7 @@ public sealed partial class StarvedStartTests
                 return reader;
 
             reader.Dispose();
-            Assert.True(start < MostStarts, "nobody connected");
+            Assert.True(start < MostStarts, "no reader connected");
         }
     }
 }

@@ -118,7 +118,7 @@ public sealed partial class StarvedStopTests : IDisposable
         {
             var leaving = new Thread(() =>
             {
-                Thread.Sleep(100); // for the stop to find the report being made
+                Thread.Sleep(100); // so that the stop finds the report in progress
                 leave.Release();
             });
             leaving.Start();

@@ -64,7 +64,7 @@ public sealed class ConnectionSupervisorTests
         heap = ProcessResources.LiveHeap() - heap;
 
         Assert.Equal((ConnectionState.Stopped, ConnectionReason.Requested), (end.State, end.Reason));
-        Assert.Equal((Links, Links), (made, closed - 1)); // the last one is closed by the stop, too
+        Assert.Equal((Links, Links), (made, closed - 1)); // the stop closes the last one
         Assert.Equal((Links, Links - 1L), (_pipeline.GetStatistics().MotionFrames, _pipeline.GetStatistics().Reconnects));
 
         // Connecting, Connected, Receiving and Waiting. The last link does not wait.

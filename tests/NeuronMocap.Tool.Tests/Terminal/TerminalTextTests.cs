@@ -16,7 +16,7 @@ public sealed class TerminalTextTests
     [InlineData("a\ufeffb\u200bc\u00add\u2060e", "a·b·c·d·e")]
     [InlineData("a\u2028b\u2029c", "a·b·c")]
     [InlineData("a\ufffeb\uffffc", "a·b·c")]
-    [InlineData("a\U000E0041b", "a·b")] // a tag, which no terminal shows
+    [InlineData("a\U000E0041b", "a·b")] // a tag, which terminals do not show
     public void Control_characters_become_dots(string text, string clean) =>
         Assert.Equal(clean, TerminalText.Clean(text));
 

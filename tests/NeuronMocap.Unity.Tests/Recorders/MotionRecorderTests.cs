@@ -131,7 +131,7 @@ public sealed class MotionRecorderTests : IDisposable
         Assert.False(recorder.StartRecording());
         Assert.Contains("already", recorder.Problem);
         _loop.RunUntil(() => recorder.State == RecorderState.Idle);
-        Assert.Contains("cannot be begun", recorder.Problem);
+        Assert.Contains("cannot start", recorder.Problem);
     }
 
     [Fact]

@@ -56,7 +56,7 @@ internal sealed class ScanAll
     {
         ScanResult result = _scanner.Scan(given);
         Calls++;
-        Assert.True(result.Length > 0, "An answer of length zero makes no progress.");
+        Assert.True(result.Length > 0, "An answer of length zero does not advance.");
         if (result.Status == ScanStatus.NeedMoreData)
         {
             Assert.True(result.Length > given.Length, $"{given.Length} bytes are there, {result.Length} were asked for.");

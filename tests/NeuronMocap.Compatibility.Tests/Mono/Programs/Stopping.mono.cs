@@ -302,7 +302,7 @@ public static class Program
         }
         catch (IOException)
         {
-            return false; // it has ended meanwhile
+            return false; // it ended in the meantime
         }
     }
 

@@ -69,7 +69,7 @@ public sealed class FigurePictureTests : IDisposable
 
         // Edges may differ slightly on another processor. A changed shape differs more.
         int different = drawn.Zip(kept).Count(static pair => Math.Abs(pair.First - pair.Second) > 24);
-        Assert.True(different < drawn.Length / 1000, $"{different} of {drawn.Length} values differ: look at the figure, and write the picture anew.");
+        Assert.True(different < drawn.Length / 1000, $"{different} of {drawn.Length} values differ: check the figure, and write the picture again.");
     }
 
     // A fixed moment of the simulator's programme. Before the programme starts, it is the T-pose.

@@ -75,7 +75,7 @@ internal static class AvatarRules
         {
             int index = Array.IndexOf(HumanTrait.BoneName, bone.humanName);
             if (index < 0)
-                faults.Add($"'{bone.humanName}' is no human bone");
+                faults.Add($"'{bone.humanName}' is not a human bone");
             else if (!transforms.TryGetValue(bone.boneName, out Transform? transform))
                 faults.Add($"transform '{bone.boneName}' for human bone '{bone.humanName}' not found");
             else if (!mapped.TryAdd((HumanBodyBones)index, transform))

@@ -139,6 +139,6 @@ internal static class ImmediateGui
         }
 
         if (_rowDepth != 0 || Clips.Count != 0)
-            throw new InvalidOperationException("A row or a clip was begun and not ended.");
+            throw new InvalidOperationException("A row or a clip was started but not ended.");
     }
 }

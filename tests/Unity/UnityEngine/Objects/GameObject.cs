@@ -115,7 +115,7 @@ public sealed class GameObject : Object
     {
         Check();
         if (!typeof(Component).IsAssignableFrom(componentType) || componentType.IsAbstract)
-            throw new ArgumentException($"{componentType} is no component that could be added.", nameof(componentType));
+            throw new ArgumentException($"{componentType} is not a component that can be added.", nameof(componentType));
 
         if (ComponentRules.IsSingle(componentType) && GetComponent(componentType) is not null)
         {
