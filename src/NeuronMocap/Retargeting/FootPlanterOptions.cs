@@ -44,7 +44,7 @@ public sealed class FootPlanterOptions
     }
 
     /// <summary>
-    /// Gets or sets how far the hips may move up or down for the legs to reach the ground, as a fraction of the leg length. The default is 0.1. With
+    /// Gets or sets how far the hips may move up or down so that the legs reach the ground, as a fraction of leg length. The default is 0.1. With
     /// 0 the hips stay where the actor's motion puts them.
     /// </summary>
     /// <exception cref="ArgumentOutOfRangeException">The value is less than 0 or greater than 1.</exception>

@@ -1,6 +1,6 @@
 namespace NeuronMocap.Benchmarks.Harness;
 
-// Runs the floor and the ways in turn, A B C A B C, so that other load on the machine affects all of them equally.
+// Runs the floor and the ways in turn, A B C A B C. Other load on the machine thus affects all of them equally.
 internal static class Alternation
 {
     public static async Task<List<Row>> RunAsync(string @case, int runs, Way floor, IReadOnlyList<Way> ways, IReadOnlyList<Aim> aims)

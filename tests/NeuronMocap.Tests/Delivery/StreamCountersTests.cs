@@ -63,7 +63,7 @@ public sealed class StreamCountersTests
         Assert.Equal(0, lost);
     }
 
-    // The previous one still remembers whose turn is next.
+    // The avatar before it still remembers it as the next in turn.
     [Fact]
     public void An_evicted_avatar_that_returns_is_counted_anew()
     {

@@ -8,7 +8,7 @@ namespace NeuronMocap.Tests.Reader;
 // The effects of networks on datagrams, and the resulting counters.
 public sealed class UdpFaultTests
 {
-    // A datagram is written as its frame number, followed by a for the first 1024 bytes, b for the rest, or nothing for all of it.
+    // A datagram is written as its frame number. The suffix a stands for its first 1024 bytes, b for the rest, no suffix for all of it.
     [Theory]
     [InlineData("0 2 1 3", "0 2 1 3", 0, 0, 1)]
     [InlineData("0 0 1 1 2", "0 0 1 1 2", 0, 0, 2)]

@@ -121,7 +121,7 @@ public sealed class TwoBoneIkTests
         Assert.Equal((Quaternion.Identity, Quaternion.Identity), (solution.Upper, solution.Lower));
     }
 
-    // Every combination of perpendicular directions, where formulas divide by zero.
+    // Combinations of parallel and perpendicular directions, where formulas could divide by zero.
     [Fact]
     public void Results_are_always_finite()
     {

@@ -167,7 +167,7 @@ public class BvhEditingTests
         AssertBits(Five.GetFrame(3), take.GetFrame(2));
     }
 
-    // An hour at 59.94 Hz. With the rate as a double, the last frames would be off by entire bits.
+    // Seventeen minutes at 59.94 Hz. With the rate as a double, the last frames would not be exact.
     [Fact]
     public void Times_are_fractions()
     {

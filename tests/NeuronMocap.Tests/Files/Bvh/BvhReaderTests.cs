@@ -84,7 +84,7 @@ public class BvhReaderTests
         Infrastructure.Allocations.AssertNone(() => Assert.True(reader.TryReadFrame(row)));
     }
 
-    // Neither for rows broken across lines nor for rows on one line, once there is room for them.
+    // Neither rows broken across lines nor rows joined on one line allocate, once the list of repairs is full.
     [Fact]
     public void A_repaired_row_allocates_nothing_after_the_list_is_full()
     {

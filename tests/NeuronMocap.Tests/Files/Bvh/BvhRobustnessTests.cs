@@ -89,7 +89,7 @@ public class BvhRobustnessTests
         Assert.InRange(allocated, 1, 200_000);
     }
 
-    // Remains of a recorder that had to be discarded: once without the start and once with it.
+    // The remains of a failed recording: once without its start and once with it.
     [Fact]
     public void A_corrupt_file_of_headings_and_blank_lines_is_refused_or_read_without_frames()
     {
@@ -105,7 +105,7 @@ public class BvhRobustnessTests
             document.Repairs.Select(repair => (repair.Line, repair.Column)));
     }
 
-    // Only the values: no copy of the file, and no rows moved from one array to another.
+    // Loading allocates only the values. It copies neither the file nor rows from one array to another.
     [Theory]
     [InlineData(true)]
     [InlineData(false)]

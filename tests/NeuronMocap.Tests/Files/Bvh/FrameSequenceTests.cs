@@ -89,7 +89,7 @@ public class FrameSequenceTests
         Assert.Equal(60, _sequence.Measure().FrameRate, 1e-6);
     }
 
-    // Its clock starts, and then it catches up on the time of its start.
+    // The server's clock starts, and then the server catches up on the time that its start took.
     [Fact]
     public void Servers_that_start_mid_take_do_not_change_the_rate()
     {
