@@ -33,7 +33,7 @@ public static class ScriptProgram
         return 0;
     }
 
-    // Over all bits of all values, in their order.
+    // Computes a sum over all bits of all values, in order.
     public static uint Sum(ReceivedFrame[] frames)
     {
         uint sum = 17;

@@ -4,7 +4,7 @@ namespace NeuronMocap.Retargeting;
 
 /// <summary>
 /// Inverse kinematics of two bones: a leg that places a foot, or an arm that places a hand. The solution has closed form and keeps the bone lengths.
-/// Units and handedness are the caller's. Allocates nothing; thread-safe.
+/// The caller chooses units and handedness. Allocates nothing; thread-safe.
 /// </summary>
 public static class TwoBoneIk
 {

@@ -10,7 +10,7 @@ public static class EulerAngles
 {
     /// <summary>Converts three angles to a quaternion.</summary>
     /// <param name="degrees">Angles of any size in degrees, in the order in which they are applied.</param>
-    /// <param name="order">Which axis each of them turns about.</param>
+    /// <param name="order">The rotation order of the angles.</param>
     /// <returns>A unit quaternion, for right-handed axes.</returns>
     /// <exception cref="ArgumentOutOfRangeException">The rotation order is not defined.</exception>
     public static Quaternion ToQuaternion(Vector3 degrees, RotationOrder order)
@@ -28,7 +28,7 @@ public static class EulerAngles
 
     /// <summary>Converts a rotation to three angles.</summary>
     /// <param name="rotation">A quaternion of any length except zero.</param>
-    /// <param name="order">The axes to turn about.</param>
+    /// <param name="order">The rotation order of the result.</param>
     /// <returns>
     /// Degrees in the order in which they are applied. The first and third are within [-180, 180], the second within [-90, 90]. If the second is 90
     /// degrees, the first and third turn about the same line. The third is then zero.

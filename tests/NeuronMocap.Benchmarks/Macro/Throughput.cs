@@ -11,7 +11,7 @@ internal static class Throughput
     private const string Rate = "frames/s";
     private const string Cpu = "CPU ns/frame";
 
-    // Slower and with fewer frames, like a game's main loop: it polls every millisecond, and the queue has room for the frames in between.
+    // A game's main loop is slower and has fewer frames. This loop polls every millisecond, and the queue has room for the frames in between.
     private const int QueueCapacity = 16 * 1024;
 
     private static readonly Aim[] Aims =

@@ -9,7 +9,7 @@ namespace NeuronMocap.Compatibility.Tests.Sockets;
 // How long closing waits, and that no callback starts after it returns.
 public sealed class ClosingTests
 {
-    // The vendor's libraries take 50 to 100 ms.
+    // The vendor's libraries take 50 to 100 ms to close.
     [Fact]
     public void Closing_waits_50_to_100_ms_for_a_callback() =>
         Assert.InRange(VendorSocket.CloseTimeout, TimeSpan.FromMilliseconds(50), TimeSpan.FromMilliseconds(100));

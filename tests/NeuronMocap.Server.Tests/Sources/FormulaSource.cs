@@ -23,7 +23,7 @@ internal sealed class FormulaSource(double frameRate, long? frameCount, FormulaS
         formula(frame, pose);
     }
 
-    // Left on the even frames, right on every third.
+    // The left foot has contact on even frames, the right foot on every third.
     public override FootContacts GetFootContacts(long frame)
     {
         RequireFrame(frame);

@@ -57,7 +57,7 @@ public sealed class FootPlanterTests
     [InlineData(72, 144)]
     public void The_frame_rate_does_not_matter(int rate, int other)
     {
-        // Both see the contacts that the slower one sees.
+        // Both runs use the contacts of the slower one.
         TargetRig rig = StandingRig.Random(new Random(5)).Create();
         var actor = new SyntheticSource(other);
         int stride = other / rate;

@@ -15,7 +15,7 @@ internal sealed class FakeTime : PlaybackTime
     /// <summary>The requested waits, in milliseconds since the start.</summary>
     public List<double> Waits { get; } = [];
 
-    /// <summary>Called in the middle of each wait, under the player's lock.</summary>
+    /// <summary>Called during each wait, while the player's lock is held.</summary>
     public Action<double>? Waiting { get; set; }
 
     public static double MillisecondsOf(long instant) => (instant - Start) * 1000.0 / Stopwatch.Frequency;

@@ -226,7 +226,7 @@ namespace NeuronMocap.Unity
         /// <summary>Gets whether a live performer moved the figure in this frame.</summary>
         public bool IsDriving { get; private set; }
 
-        /// <summary>Gets why the figure does not move, and the setting to change. Empty if there is no problem.</summary>
+        /// <summary>Gets the reason why the figure does not move, and the setting to change. Empty if there is no problem.</summary>
         public string Problem { get; private set; } = string.Empty;
 
         /// <summary>Gets a note about the figure's rest pose, such as that it is a guess. Empty if there is none.</summary>

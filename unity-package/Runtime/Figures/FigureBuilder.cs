@@ -59,7 +59,7 @@ namespace NeuronMocap.Unity
         /// <summary>Gets the driver that moves the figure.</summary>
         public HumanoidDriver Driver { get; private set; } = null!;
 
-        /// <summary>Gets why there is no figure in the performer's sizes. Empty if there is no problem.</summary>
+        /// <summary>Gets the reason why there is no figure in the performer's sizes. Empty if there is no problem.</summary>
         public string Problem { get; private set; } = "";
 
         /// <summary>Builds the figure again, with the current look.</summary>

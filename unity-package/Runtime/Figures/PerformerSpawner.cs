@@ -146,7 +146,7 @@ namespace NeuronMocap.Unity
         /// <summary>Gets the figures, in the order in which they were created.</summary>
         public IReadOnlyList<SpawnedFigure> Figures => _figures;
 
-        /// <summary>Gets why a performer has no figure, and the setting to change. Empty if there is no problem.</summary>
+        /// <summary>Gets the reason why a performer has no figure, and the setting to change. Empty if there is no problem.</summary>
         public string Problem { get; private set; } = "";
 
         /// <summary>Destroys all figures. Performers that are live get new ones.</summary>

@@ -129,7 +129,7 @@ namespace NeuronMocap.Unity
         /// <summary>Gets the path of the last take's asset, such as "Assets/Recordings/Ann.anim". Empty before the first asset.</summary>
         public string SavedPath { get; private set; } = "";
 
-        /// <summary>Gets why nothing is recorded or saved. Empty if there is no problem.</summary>
+        /// <summary>Gets the reason why nothing is recorded or saved. Empty if there is no problem.</summary>
         public string Problem { get; private set; } = "";
 
         /// <summary>Starts a take.</summary>

@@ -132,7 +132,7 @@ namespace NeuronMocap.Unity
         /// <summary>Gets the full paths of the current or last take's files.</summary>
         public IReadOnlyList<string> Files { get; private set; } = Array.Empty<string>();
 
-        /// <summary>Gets why nothing, or not everything, is recorded. Empty if there is no problem.</summary>
+        /// <summary>Gets the reason why nothing, or not everything, is recorded. Empty if there is no problem.</summary>
         public string Problem { get; private set; } = "";
 
         /// <summary>

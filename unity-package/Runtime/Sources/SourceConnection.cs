@@ -84,7 +84,7 @@ namespace NeuronMocap.Unity
             return Task.WhenAll(_opening, StopAsync());
         }
 
-        // Once closed, only the opening thread sets fields, and it stops what it set. Runs outside the gate, because handlers may run meanwhile.
+        // After closing, only the opening thread still sets fields, and it stops what it has set. Runs outside the lock, because handlers may run meanwhile.
         private Task StopAsync()
         {
             _player?.Dispose();
