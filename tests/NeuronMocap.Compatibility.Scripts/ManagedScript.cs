@@ -5,7 +5,7 @@ using NeuronDataReaderManaged;
 
 namespace UserScripts
 {
-    // For the managed reader of the Unity integration: a source for each connection, actors by avatar, no status to ask for.
+    // A script for the managed reader of the Unity integration: a source for each connection, actors by avatar, no status query.
     public class ManagedScript
     {
         private static readonly Dictionary<IntPtr, ManagedScript> sources = new Dictionary<IntPtr, ManagedScript>();

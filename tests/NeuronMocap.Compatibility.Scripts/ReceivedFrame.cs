@@ -1,6 +1,6 @@
 using System;
 
-// What a script keeps of a frame.
+// The data that a script keeps of a frame.
 public class ReceivedFrame
 {
     public IntPtr Connection;

@@ -2,7 +2,7 @@ using System;
 using System.Diagnostics;
 using System.Threading;
 
-// A program of its own: receives from a port until the server has closed the connection, and says what it got.
+// A stand-alone program: receives from a port until the server closes the connection, and reports what it received.
 public static class ScriptProgram
 {
     public static int Main(string[] args)
@@ -23,7 +23,7 @@ public static class ScriptProgram
         Console.WriteLine("motion " + W2Script.Count(W2Script.Frames) + " " + Sum(W2Script.Frames.ToArray()));
         Console.WriteLine("calculation " + W2Script.Count(W2Script.CalculationFrames) + " " + Sum(W2Script.CalculationFrames.ToArray()));
 
-        // From a closed port, and a name that is none: failures, and no end of the program.
+        // A closed port and an invalid name: connecting fails, and the program continues.
         UserScripts.ManagedScript refused = UserScripts.ManagedScript.Connect("127.0.0.1", 1, 0, false);
         IntPtr unknown = W2Script.Connect("no-such-computer.invalid", port);
         Console.WriteLine((refused == null) + " " + unknown + " " + W2Script.IsRunning(connection));
@@ -33,7 +33,7 @@ public static class ScriptProgram
         return 0;
     }
 
-    // Over all bits of all values, in their order.
+    // Computes a sum over all bits of all values, in order.
     public static uint Sum(ReceivedFrame[] frames)
     {
         uint sum = 17;

@@ -3,7 +3,7 @@ using System.Collections.Generic;
 using System.Runtime.InteropServices;
 using NeuronDataReaderWraper;
 
-// For the native wrapper of b10 to b14: header with HeaderToken1 and 32-bit fields, commands on the data connection.
+// A script for the native wrapper of b10 to b14: header with HeaderToken1 and 32-bit fields, commands on the data connection.
 public class W1Script
 {
     private readonly FrameDataReceived dataReceived;
@@ -70,7 +70,7 @@ public class W1Script
             return log.ToArray();
     }
 
-    // Null before the answer; only some answers have numbers.
+    // Null before the answer. Only some answers contain numbers.
     public int[] NumbersOf(CmdId command)
     {
         lock (parameters)

@@ -3,7 +3,7 @@ using System.Collections.Generic;
 using System.Runtime.InteropServices;
 using NeuronDataReaderWraper;
 
-// For the native wrapper of b15: header with Token1 and 16-bit fields, calculation data, no commands. Static, as many are.
+// A script for the native wrapper of b15: header with Token1 and 16-bit fields, calculation data, no commands. Static, like many such scripts.
 public static class W2Script
 {
     private static FrameDataReceived frameHandler;

@@ -5,7 +5,10 @@ using Xunit.v3;
 
 namespace NeuronMocap.Data.Tests;
 
-/// <summary>Finds the tests only where the folder shared/data exists; elsewhere <see cref="DataFolderTests"/> alone, which says that it is missing.</summary>
+/// <summary>
+/// Finds these tests only if the folder shared/data exists. Otherwise it finds only <see cref="DataFolderTests"/>, which reports that the folder is
+/// missing.
+/// </summary>
 public sealed class DataTestFramework : XunitTestFramework
 {
     protected override ITestFrameworkDiscoverer CreateDiscoverer(Assembly assembly) => new Discoverer(new XunitTestAssembly(assembly));

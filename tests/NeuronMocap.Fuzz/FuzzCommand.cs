@@ -7,7 +7,7 @@ using NeuronMocap.Fuzz.Running;
 
 namespace NeuronMocap.Fuzz;
 
-/// <summary>The command line. Ends with 0 when nothing was found, 1 when something was, 2 on bad usage, 128 and the signal when stopped.</summary>
+/// <summary>The command line. The exit code is 0 for no findings, 1 for findings, 2 for bad usage, and 128 plus the signal when stopped.</summary>
 internal sealed class FuzzCommand : RootCommand
 {
     private const int Clean = 0;
@@ -19,14 +19,14 @@ internal sealed class FuzzCommand : RootCommand
     private readonly Option<long> _bytes = new("--bytes")
     {
         HelpName = "N",
-        Description = "Bytes of all inputs together.",
+        Description = "Total bytes of all inputs.",
         DefaultValueFactory = _ => 50_000_000,
     };
 
     private readonly Option<ulong> _seed = new("--seed")
     {
         HelpName = "S",
-        Description = "Chooses the inputs: a number, or today for one made of the date (UTC).",
+        Description = "Seed of the inputs: a number, or today for the date (UTC).",
         DefaultValueFactory = _ => 1,
         CustomParser = ParseSeed,
     };
@@ -34,48 +34,48 @@ internal sealed class FuzzCommand : RootCommand
     private readonly Option<int> _seeds = new("--seeds")
     {
         HelpName = "N",
-        Description = "Runs so many seeds, one after the other from --seed on, with --bytes for each.",
+        Description = "Number of seeds to run, one after the other from --seed on, with --bytes for each.",
         DefaultValueFactory = _ => 1,
     };
 
     private readonly Option<string[]> _target = new("--target")
     {
         HelpName = "NAME",
-        Description = "Only this target; may be repeated. Gets the same inputs as among others.",
+        Description = "Run only this target; may be repeated. It gets the same inputs as in a full run.",
     };
 
-    private readonly Option<bool> _list = new("--list") { Description = "List the targets and end." };
+    private readonly Option<bool> _list = new("--list") { Description = "List the targets and exit." };
 
     private readonly Option<DirectoryInfo> _data = new("--data")
     {
         HelpName = "DIR",
-        Description = "Recorded streams (*.bin) and takes (*.bvh) to make inputs from. Default: shared/data beside the repository, where it is.",
+        Description = "Folder of recorded streams (*.bin) and takes (*.bvh) to create inputs from. Default: shared/data beside the repository, if it exists.",
     };
 
     private readonly Option<string> _output = new("--output")
     {
         HelpName = "DIR",
-        Description = "Where failing inputs are written.",
+        Description = "Folder for failing inputs.",
         DefaultValueFactory = _ => "fuzz-failures",
     };
 
-    private readonly Option<FileInfo> _replay = new("--replay") { HelpName = "FILE", Description = "Run this input only, through each target." };
+    private readonly Option<FileInfo> _replay = new("--replay") { HelpName = "FILE", Description = "Run only this input, with each target." };
 
     private readonly IReadOnlyList<FuzzTarget> _targets;
 
     public FuzzCommand(IReadOnlyList<FuzzTarget> targets)
-        : base("Feeds changed packets and files to the parsers: they may not throw, hang, allocate past their caps or read out of bounds.")
+        : base("Feeds modified packets and files to the parsers, which must not throw, hang, allocate beyond their limits or read out of bounds.")
     {
         _targets = targets;
         _bytes.Validators.Add(result =>
         {
             if (result.GetValue(_bytes) < 1)
-                result.AddError("--bytes: a number from 1 on.");
+                result.AddError("--bytes: must be 1 or more.");
         });
         _seeds.Validators.Add(result =>
         {
             if (result.GetValue(_seeds) < 1)
-                result.AddError("--seeds: a number from 1 on.");
+                result.AddError("--seeds: must be 1 or more.");
         });
         _target.AcceptOnlyFromAmong([.. targets.Select(target => target.Name)]);
         _data.AcceptExistingOnly();
@@ -144,7 +144,7 @@ internal sealed class FuzzCommand : RootCommand
         }
     }
 
-    // Whether nothing was found.
+    // Returns true if nothing was found.
     private bool Fuzz(FuzzTarget[] targets, ParseResult options, ulong seed, CancellationToken cancellationToken, out bool isCutShort)
     {
         long bytes = options.GetValue(_bytes);
@@ -166,7 +166,7 @@ internal sealed class FuzzCommand : RootCommand
         return all.Length == 0;
     }
 
-    // 20261122 is the seed of that day, on every computer, and gives the same run again.
+    // The seed 20261122 is that of the day on every computer, and repeats the same run.
     private static ulong ParseSeed(ArgumentResult result)
     {
         string text = result.Tokens.Count == 1 ? result.Tokens[0].Value : string.Empty;

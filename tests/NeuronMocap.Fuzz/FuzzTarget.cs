@@ -2,13 +2,13 @@ using NeuronMocap.Fuzz.Inputs;
 
 namespace NeuronMocap.Fuzz;
 
-/// <summary>A parser, and what it may do with an input of any bytes.</summary>
+/// <summary>A parser, and its limits for an input of any bytes.</summary>
 /// <param name="Name">Its name on the command line.</param>
-/// <param name="Corpus">What inputs are made of.</param>
-/// <param name="CreateTest">Makes the code that reads an input; one for each run, used by one thread.</param>
+/// <param name="Corpus">The kind of inputs.</param>
+/// <param name="CreateTest">Creates the code that reads an input. Each run has its own, used by one thread.</param>
 internal sealed record FuzzTarget(string Name, CorpusKind Corpus, Func<FuzzTest> CreateTest)
 {
-    /// <summary>The exception with which the parser may refuse an input; null when it may throw none.</summary>
+    /// <summary>The exception with which the parser may reject an input. Null if it may not throw.</summary>
     public Type? Refusal { get; init; }
 
     /// <summary>Bytes that it may allocate for an input of any length.</summary>
@@ -17,26 +17,30 @@ internal sealed record FuzzTarget(string Name, CorpusKind Corpus, Func<FuzzTest>
     /// <summary>Further bytes that it may allocate for each byte of the input.</summary>
     public long AllocatedPerByte { get; init; }
 
-    /// <summary>Whether it hands work to other threads, so that what the whole process allocates is counted.</summary>
+    /// <summary>Whether it passes work to other threads. The allocations of the whole process are then counted.</summary>
     public bool AllocatesOnOtherThreads { get; init; }
 
-    /// <summary>How many bytes it gets beside the others, whose share is 1: less for one that does much with each.</summary>
+    /// <summary>Its share of the bytes, relative to 1 for other targets. Smaller for slow targets.</summary>
     public double Share { get; init; } = 1;
 
     /// <summary>Bytes that it may write to disk for an input of any length.</summary>
     public long OutputPerInput { get; init; } = 64 * 1024 * 1024;
 
-    /// <summary>How many bytes it has written to disk for the input at hand, asked by another thread; null where it writes none.</summary>
+    /// <summary>Returns the bytes written to disk for the current input. Called by another thread. Null if it writes nothing.</summary>
     public Func<long>? CountOutput { get; init; }
 
-    /// <summary>Asks the code that reads the input at hand to end, from another thread; null where nothing can. Called once, at the end of a run.</summary>
+    /// <summary>
+    /// Asks the code that reads the current input to end. Called once by another thread, at the end of a run. Null if it cannot be stopped.
+    /// </summary>
     public Action? Stop { get; init; }
 
-    /// <summary>An input that takes longer is a hang. Ten thousand times what one takes, so that a busy machine is none.</summary>
+    /// <summary>
+    /// An input that takes longer counts as a hang. The limit is ten thousand times the usual, so a busy machine does not reach it.
+    /// </summary>
     public TimeSpan TimeLimit { get; init; } = TimeSpan.FromSeconds(60);
 }
 
 /// <summary>
-/// Reads an input, reports all it found to the digest, and throws <see cref="WrongResultException"/> where two readings of it differ.
+/// Reads an input, adds all results to the digest, and throws <see cref="WrongResultException"/> if two readings of the input differ.
 /// </summary>
 internal delegate void FuzzTest(FuzzInput input);

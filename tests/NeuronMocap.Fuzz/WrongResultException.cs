@@ -2,7 +2,7 @@ using System.Globalization;
 
 namespace NeuronMocap.Fuzz;
 
-/// <summary>A parser gave an answer that cannot be right.</summary>
+/// <summary>A parser returned a wrong answer.</summary>
 internal sealed class WrongResultException(string message) : Exception(message)
 {
     public static void ThrowUnless(bool condition, string message)
@@ -11,7 +11,7 @@ internal sealed class WrongResultException(string message) : Exception(message)
             throw new WrongResultException(message);
     }
 
-    // The text is put together only when it is needed: what a target allocates is measured.
+    // Formats the text only when it is needed, because the allocations of a target are measured.
     public static void ThrowUnless<T>(bool condition, string format, T value) => ThrowUnless(condition, format, value, 0, 0);
 
     public static void ThrowUnless<T1, T2>(bool condition, string format, T1 first, T2 second) => ThrowUnless(condition, format, first, second, 0);

@@ -156,7 +156,7 @@ public sealed class HostTests
         Assert.Contains(log.Lines, line => line.StartsWith("NeuronMocap.NeuronReader 6 stage: Stopped (Requested)", StringComparison.Ordinal));
     }
 
-    // A handler that hangs is left behind after the reader's own 2 s; the host's time, if shorter, comes first.
+    // A handler that hangs is abandoned after the reader's own 2 s. If the host's time limit is shorter, it applies first.
     [Fact]
     public async Task Stopping_respects_the_shutdown_timeout()
     {
@@ -243,7 +243,7 @@ public sealed class HostTests
     [SuppressMessage("Performance", "CA1812", Justification = "Made by the host.")]
     private sealed class Consumer(NeuronReader reader) : BackgroundService
     {
-        // Here and not in ExecuteAsync, which from .NET 10 on runs beside the start of the host.
+        // Here and not in ExecuteAsync, which runs beside the start of the host since .NET 10.
         private readonly FrameQueue _queue = reader.OpenQueue();
 
         public ConcurrentQueue<uint?> Frames { get; } = [];

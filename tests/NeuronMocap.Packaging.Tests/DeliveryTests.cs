@@ -101,7 +101,7 @@ public sealed class DeliveryTests : IDisposable
         await GitAsync("config", "user.email", "test@localhost");
         await GitAsync("config", "commit.gpgsign", "false");
 
-        // As on Windows: contents must not be changed on their way.
+        // As on Windows. The contents must not change in transit.
         await GitAsync("config", "core.autocrlf", "input");
         _folder.Write("source.txt", "text");
         await GitAsync("add", "source.txt");

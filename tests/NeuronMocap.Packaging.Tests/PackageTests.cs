@@ -38,7 +38,7 @@ public sealed class PackageTests
             manifest.RootElement.GetProperty("samples").EnumerateArray().Select(static sample => AssetPath.NameOf(sample.GetProperty("path").GetString()!)));
     }
 
-    // Unity takes the package's folder as it is from a clone: what it must not see does not lie there under a name that it looks at.
+    // Unity uses the package's folder of a clone as it is. Files that Unity must not see need a name that it ignores.
     [Fact]
     public void Packing_files_are_not_in_the_package()
     {

@@ -5,7 +5,7 @@ using static NeuronMocap.Server.Tests.Broadcasts;
 
 namespace NeuronMocap.Server.Tests;
 
-// Calculation packets alone: on a port of their own beside the motion, or without it.
+// Calculation packets only: on their own port beside the motion, or without motion.
 public sealed class BroadcasterCalculationPortTests
 {
     private const int Frames = 50;
@@ -139,7 +139,7 @@ public sealed class BroadcasterCalculationPortTests
         Assert.True(clients[0].FramesSent > 0 && clients[1].CalculationFramesSent > 0);
     }
 
-    // A take without pace ends only when both ports have had a client: the second may come when the first has been served.
+    // A take without pacing ends only when both ports have had a client. The second client may connect after the first was served.
     [Fact]
     public async Task An_unpaced_take_waits_for_a_client_on_each_port()
     {

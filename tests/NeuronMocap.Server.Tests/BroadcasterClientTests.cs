@@ -4,7 +4,7 @@ using static NeuronMocap.Server.Tests.Broadcasts;
 
 namespace NeuronMocap.Server.Tests;
 
-// Clients that misbehave, at both kinds of rate, each beside one that must not notice.
+// Clients that misbehave, at both kinds of rate, each beside a client that must not be affected.
 public sealed class BroadcasterClientTests
 {
     private const int Frames = 4000;
@@ -48,7 +48,7 @@ public sealed class BroadcasterClientTests
         await using Broadcaster broadcaster = Started(options);
         using TestClient client = await TestClient.ConnectAsync(broadcaster.LocalEndPoint);
 
-        // More than the system would keep for a server that does not read.
+        // More than the system buffers for a server that does not read.
         await client.Socket.SendAsync(new byte[20_000_000], TestContext.Current.CancellationToken).Soon();
         byte[] first = (await client.ReadAsync())!;
         await client.Socket.SendAsync(new byte[1000], TestContext.Current.CancellationToken).Soon();
@@ -107,7 +107,7 @@ public sealed class BroadcasterClientTests
         return options;
     }
 
-    // However long the test takes, it is not over before the witness has read, and nothing of the witness's is overwritten.
+    // The broadcast does not end before the witness has read, and does not overwrite the witness's data, however long the test takes.
     private static BroadcasterOptions EndlessOptions(double rate)
     {
         BroadcasterOptions options = Options(rate);

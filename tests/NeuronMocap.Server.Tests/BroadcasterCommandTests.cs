@@ -42,7 +42,7 @@ public sealed class BroadcasterCommandTests
         AssertText(replies[4]);
         Expect.Frames(frames[..(frames.Count / 2 * 2)], options, frames.Count / 2);
 
-        // Counted when it is sent: the client may have it before.
+        // A reply counts after it is sent, so the client may have it earlier.
         await AssertSentAsync(broadcaster, replies: 5);
         Assert.Equal((0L, 0L), (broadcaster.GetStatistics().RequestsIgnored, broadcaster.GetStatistics().RequestsDropped));
     }
@@ -60,7 +60,7 @@ public sealed class BroadcasterCommandTests
         Assert.Equal([DataCommandId.AvatarCount, DataCommandId.CombinationMode], replies.Select(reply => reply.Id));
     }
 
-    // The next frame comes in 100 seconds.
+    // The next frame is due in 100 seconds.
     [Fact]
     public async Task An_answer_does_not_wait_for_the_next_frame()
     {
@@ -71,7 +71,7 @@ public sealed class BroadcasterCommandTests
         Assert.Single((await ReadRepliesAsync(client, 1)).Replies);
         await SendAsync(client, Requests.Create(3, 0));
 
-        // A rate below one half is told as 0.
+        // A rate below one half is reported as 0.
         Assert.Equal(0, Assert.Single((await ReadRepliesAsync(client, 1)).Replies).Frequency);
     }
 
@@ -108,7 +108,7 @@ public sealed class BroadcasterCommandTests
         Assert.Equal([(0, 1)], await ReadModesAsync(client, 1));
         Assert.Equal(SensorCombination.UpperBody, broadcaster.GetCombinationMode(0));
 
-        // A request behind shows that nothing else is on its way.
+        // A following request shows that nothing else is in transit.
         await SendAsync(client, [.. Requests.Create(8, 6), .. Requests.Create(5, 0)]);
         Assert.Equal(DataCommandId.AvatarCount, Assert.Single((await ReadRepliesAsync(client, 1)).Replies).Id);
         broadcaster.SetCombinationMode(0, SensorCombination.FullBody);
@@ -154,7 +154,7 @@ public sealed class BroadcasterCommandTests
         using TestClient flooder = await TestClient.ConnectAsync(broadcaster.LocalEndPoint, allowsCutEnd: true);
         Assert.NotNull(await flooder.ReadAsync());
 
-        // It reads nothing, so that its texts of kilobytes stop: a thousand requests wait, and further ones are dropped.
+        // The client reads nothing, so its long texts block. A thousand requests wait, and further ones are dropped.
         Task sending = SendAsync(flooder, [.. Enumerable.Repeat(Requests.Create(4, 0), Flood).SelectMany(bytes => bytes)]);
         List<byte[]> packets = [];
         while (broadcaster.GetStatistics().RequestsDropped < Flood / 2)
@@ -163,7 +163,7 @@ public sealed class BroadcasterCommandTests
         await sending.Soon();
         Expect.Frames(packets, options, packets.Count);
 
-        // What was not dropped is answered when it reads.
+        // Requests that were not dropped are answered when the client reads.
         int replies = 0;
         while (replies < Flood - broadcaster.GetStatistics().RequestsDropped || broadcaster.GetStatistics().RepliesSent + broadcaster.GetStatistics().RequestsDropped < Flood)
             replies += DataCommandHeader.TryRead((await flooder.ReadAsync())!, out _) ? 1 : 0;
@@ -217,7 +217,7 @@ public sealed class BroadcasterCommandTests
         await socket.SendAsync(Requests.Create(4, 0), TestContext.Current.CancellationToken).Soon();
         string text = await TextClient.ReadToEndAsync(socket);
 
-        // All of the text is ASCII; the two tokens of the reply are not.
+        // All of the text is ASCII, but the two tokens of the reply are not.
         int begin = text.IndexOf('\uFFFD', StringComparison.Ordinal);
         int end = text.LastIndexOf('\uFFFD');
         Assert.True(begin == 0 || text[begin - 1] == '\n');
@@ -259,7 +259,7 @@ public sealed class BroadcasterCommandTests
         await Assert.ThrowsAsync<InvalidDataException>(() => broadcaster.Completion.Soon());
     }
 
-    // A reply counts when it is sent, and may be read before.
+    // A reply counts after it is sent, so it may be read earlier.
     private static async Task AssertSentAsync(Broadcaster broadcaster, long replies)
     {
         await Limits.UntilAsync(() => broadcaster.GetStatistics().RepliesSent >= replies);
@@ -279,7 +279,7 @@ public sealed class BroadcasterCommandTests
     private static Task<int> SendAsync(TestClient client, byte[] bytes) =>
         client.Socket.SendAsync(bytes, TestContext.Current.CancellationToken).AsTask();
 
-    // The stream holds whole packets and nothing else, or the client fails.
+    // Fails unless the stream consists of whole packets.
     private static async Task<(List<DataCommandReply> Replies, List<byte[]> Frames)> ReadRepliesAsync(TestClient client, int count)
     {
         var replies = new List<DataCommandReply>();

@@ -6,7 +6,7 @@ using static NeuronMocap.Server.Tests.Broadcasts;
 
 namespace NeuronMocap.Server.Tests;
 
-// Clients that hang, floods of them, and a system that has no more memory, each beside a client that must not notice.
+// Clients that hang, floods of clients, and a system without memory, each beside a client that must not be affected.
 public sealed class BroadcasterHostilityTests
 {
     [Theory]
@@ -29,12 +29,12 @@ public sealed class BroadcasterHostilityTests
         Assert.NotNull(await next.ReadAsync());
         Expect.Frames(packets[..(packets.Count / 30 * 30)], options, packets.Count / 30, Expect.FrameIndex(packets[0]));
 
-        // What was queued for it is gone, too: an end in good order would keep it until somebody takes it.
+        // Its queued data is discarded too. A graceful end would keep that data until the client reads it.
         SocketException end = await Assert.ThrowsAsync<SocketException>(() => idle.ReadToEndAsync());
         Assert.Equal(SocketError.ConnectionReset, end.SocketErrorCode);
     }
 
-    // A frame of all avatars is longer than what the client takes within the time: 1.4 MB.
+    // A frame of all avatars, 1.4 MB, is longer than what the client takes in time.
     [Fact]
     public async Task A_client_that_is_slow_but_steady_stays()
     {
@@ -78,7 +78,7 @@ public sealed class BroadcasterHostilityTests
         using TestClient witness = await TestClient.ConnectAsync(broadcaster.LocalEndPoint, allowsCutEnd: true);
         byte[] first = (await witness.ReadAsync())!;
 
-        // None of them reads; seven get in and stay, the others are turned away.
+        // No client reads. Seven clients are accepted and stay; the others are rejected.
         List<TestClient> flood = [];
         for (int i = 0; i < Flood; i++)
             flood.Add(await TestClient.ConnectAsync(broadcaster.LocalEndPoint));

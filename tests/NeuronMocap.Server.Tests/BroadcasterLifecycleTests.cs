@@ -21,7 +21,7 @@ public sealed class BroadcasterLifecycleTests
         Assert.Contains($"Port {port} on 127.0.0.1 is used by another program", exception.Message, StringComparison.Ordinal);
         Assert.Equal("Port", exception.Setting);
 
-        // It can be tried again once the port is free.
+        // It can start again when the port is free.
         first.Dispose();
         second.Start();
         Assert.Equal(port, second.LocalEndPoint!.Port);

@@ -6,7 +6,7 @@ namespace NeuronMocap.Server.Tests;
 
 public sealed class BroadcasterPacedTests
 {
-    // Fast enough for short tests; nothing here depends on whether the machine keeps up.
+    // Fast enough for short tests. No test depends on whether the machine keeps up.
     private const double Rate = 2000;
 
     [Theory]
@@ -78,7 +78,7 @@ public sealed class BroadcasterPacedTests
         Assert.Equal(0, GetDropped(broadcaster, reader));
         Assert.True(broadcaster.GetStatistics().PacketsDropped >= Avatars * 20);
 
-        // When the idle one reads at last, it finds whole frames: old ones, a gap, new ones.
+        // When the idle client finally reads, it finds whole frames: old frames, a gap, new frames.
         uint previous = 0;
         bool foundGap = false;
         while (!foundGap)
@@ -93,7 +93,7 @@ public sealed class BroadcasterPacedTests
             }
         }
 
-        // The one that reads got every frame since it came. What is on its way when the broadcast is stopped may end in mid-packet.
+        // The reading client got every frame since it connected. When the broadcast stops, its data may end in mid-packet.
         await broadcaster.DisposeAsync();
         List<byte[]> packets = await reading.Soon();
         int frames = packets.Count / Avatars;
@@ -112,7 +112,7 @@ public sealed class BroadcasterPacedTests
         await using Broadcaster broadcaster = Started(options);
         using TestClient client = await TestClient.ConnectAsync(broadcaster.LocalEndPoint);
 
-        // Reads nothing before the last frame was made: from then on nobody is listening.
+        // It reads nothing before the last frame is created. After that, the server no longer listens.
         await Limits.UntilAsync(() => !CanConnect(broadcaster));
 
         Expect.Frames(await client.ReadToEndAsync(), options, 1500);

@@ -8,7 +8,7 @@ using Worker = NeuronMocap.Server.Broadcasting.Worker;
 
 namespace NeuronMocap.Server.Tests;
 
-// A recording sent to programs that speak the protocol.
+// A recording sent to programs that use the protocol.
 public sealed class BroadcasterRecordingTests
 {
     [Theory]
@@ -145,7 +145,7 @@ public sealed class BroadcasterRecordingTests
         Assert.Equal((50L, 50L), (broadcaster.GetStatistics().FramesSent, broadcaster.GetStatistics().CalculationFramesSent));
     }
 
-    // A recording has a handle for each receiver that reads it at its own speed. None may outlive the broadcast, whatever went wrong.
+    // A recording has a handle for each receiver that reads it at its own speed. No handle may outlive the broadcast, whatever fails.
     [Fact]
     public async Task A_failed_receiver_closes_its_handle_of_the_recording()
     {
@@ -177,7 +177,7 @@ public sealed class BroadcasterRecordingTests
 
         Assert.Equal(0, CountHandles(file.Path));
 
-        // The destination waits for a client that never comes.
+        // The destination waits for a client that never connects.
         options.Port = 0;
         options.WaitForClient = true;
         await using (var broadcaster = new Broadcaster(options))

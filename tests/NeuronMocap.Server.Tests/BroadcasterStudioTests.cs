@@ -72,7 +72,7 @@ public sealed class BroadcasterStudioTests
     public void The_timecode_counts_from_the_first_frame(long frame, double rate, uint time, uint subFrame) =>
         Assert.Equal((time, subFrame), StudioFrameEncoder.GetTimecode(frame, rate));
 
-    // Every second begins with frame 0, and no number within it is left out.
+    // Every second starts with frame 0, and no number within it is missing.
     [Theory]
     [InlineData(24)]
     [InlineData(29.97)]

@@ -70,7 +70,7 @@ public sealed class BroadcasterTextTests
         await broadcaster.DisposeAsync();
         string text = await TextClient.ReadToEndAsync(idle);
 
-        // What is on its way when the broadcast is stopped may end in the middle of a line.
+        // When the broadcast stops, its data may end in the middle of a line.
         string[] lines = text.Split("\r\n")[..^1];
         Assert.True(lines.Length >= Avatars);
         long previous = -1;
@@ -189,7 +189,7 @@ public sealed class BroadcasterTextTests
             Assert.InRange(actual[i] - expected[i], -tolerance, tolerance);
     }
 
-    // The lines carry no number, but no two frames of the actor are the same.
+    // The lines carry no number, but no two frames of the actor are equal.
     private static long FindFrame(BroadcasterOptions options, string line, long first)
     {
         double[] values = TextClient.ParseMotion(line).Values;

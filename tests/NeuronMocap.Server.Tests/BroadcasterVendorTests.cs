@@ -5,8 +5,8 @@ using NeuronMocap.Tests.Server;
 
 namespace NeuronMocap.Server.Tests;
 
-// Clients that parse every receive alone get every avatar and all calculation data, because packets are sent one by one, apart in time. The time is the test's:
-// it passes when the clients have received what was sent, however busy the machine is.
+// Clients that parse every receive separately get every avatar and all calculation data, because packets are sent one by one with pauses. The test
+// controls the time: it passes when the clients have received what was sent, however busy the machine is.
 public sealed class BroadcasterVendorTests
 {
     private const int Frames = 25;
@@ -65,7 +65,7 @@ public sealed class BroadcasterVendorTests
         Assert.Empty(calculation.Parser.Motion);
     }
 
-    // Whoever comes in the middle of a frame begins with the frame's first packet, and is not told that something is missing.
+    // A client that connects in the middle of a frame starts with the first packet of that frame, and sees no gap.
     [Fact]
     public async Task A_client_that_connects_within_a_frame_gets_all_of_it()
     {
@@ -126,7 +126,7 @@ public sealed class BroadcasterVendorTests
             return new VendorClient(socket);
         }
 
-        // One receive, which is parsed alone.
+        // One receive, which is parsed separately.
         public async Task ReceiveAsync()
         {
             int count = await socket.ReceiveAsync(_buffer.AsMemory(), TestContext.Current.CancellationToken).Soon();

@@ -12,7 +12,7 @@ internal static class Broadcasts
         return broadcaster;
     }
 
-    // A UDP port with room for all that a test sends: nothing is lost on the way to a socket whose buffer is not full.
+    // A UDP port with room for everything that a test sends. Nothing is lost while the socket's buffer is not full.
     public static Socket Receiver()
     {
         var socket = new Socket(AddressFamily.InterNetwork, SocketType.Dgram, ProtocolType.Udp) { ReceiveBufferSize = 1_000_000 };

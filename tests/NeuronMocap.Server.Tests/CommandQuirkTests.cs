@@ -5,7 +5,7 @@ using static NeuronMocap.Server.Tests.CommandServerTests;
 
 namespace NeuronMocap.Server.Tests;
 
-// Every quirk of the server against the client: the right answer, or an exception with its reason.
+// Every quirk of the server with the client: the right answer, or an exception with its reason.
 public sealed class CommandQuirkTests
 {
     [Fact]

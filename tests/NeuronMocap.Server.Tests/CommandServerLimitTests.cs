@@ -6,7 +6,7 @@ using static NeuronMocap.Server.Tests.CommandServerTests;
 
 namespace NeuronMocap.Server.Tests;
 
-// Clients that ask too much, too many of them, and those that ask nothing.
+// Clients that ask too much, too many clients, and clients that ask nothing.
 public sealed class CommandServerLimitTests
 {
     [Theory]
@@ -66,7 +66,7 @@ public sealed class CommandServerLimitTests
         await next.GetRotationOrderAsync().Soon();
     }
 
-    // A client connects anew for most commands. The thread that serves its old connection is held up here, so that it notices the end too late.
+    // A client reconnects for most commands. Here the thread of its old connection is blocked, so that it notices the end too late.
     [Fact]
     public async Task A_reconnecting_client_has_room_before_its_old_connection_closes()
     {
@@ -83,7 +83,7 @@ public sealed class CommandServerLimitTests
         await Limits.UntilAsync(() => server.ClientCount == 1);
         await client.GetRotationOrderAsync().Soon();
 
-        // The session asks for the time before it waits for a request.
+        // The session reads the time before it waits for a request.
         long HoldFirst()
         {
             if (Thread.CurrentThread.Name == "NeuronMocap commands" && Interlocked.Increment(ref sessions) == 1)
@@ -93,7 +93,7 @@ public sealed class CommandServerLimitTests
         }
     }
 
-    // Idle connections cannot keep others out: whoever never asked gives way first, then whoever asked nothing for the longest time.
+    // Idle connections cannot block others. A connection that never asked gives way first, then the connection that has been idle the longest.
     [Fact]
     public async Task A_full_server_drops_the_oldest_idle_client()
     {
@@ -109,7 +109,7 @@ public sealed class CommandServerLimitTests
         using Socket second = Connect(server);
         await Limits.UntilAsync(() => server.ClientCount == 3);
 
-        // First has been idle for 4 seconds, second for 3: not for as long as the one that asked, which stays all the same.
+        // First has been idle for 4 seconds and second for 3. That is less than the connection that asked, which stays nevertheless.
         Pass(3);
         using NeuronCommandClient third = CreateClient(server);
         await third.GetRotationOrderAsync().Soon();
@@ -119,13 +119,13 @@ public sealed class CommandServerLimitTests
         await fourth.GetRotationOrderAsync().Soon();
         await IsClosedAsync(second);
 
-        // Now all have asked, and the one that did so longest ago is the first.
+        // Now all have asked, and first is the one that asked longest ago.
         using Socket fifth = Connect(server);
         fifth.Send(CommandScript.Packet([], 1003));
         Assert.Equal(20, (await ReadAsync(fifth, 20)).Length);
         Assert.Equal(3, server.ClientCount);
 
-        // Nobody of those that are left has been idle for long.
+        // None of the remaining connections has been idle for long.
         using Socket sixth = Connect(server);
         Assert.Empty(await ReadAsync(sixth, 1));
         await third.GetRotationOrderAsync().Soon();

@@ -253,7 +253,7 @@ public sealed class CommandServerTests
         return socket;
     }
 
-    // In good order, or by a reset where the system gives no other end to a connection that is being waited on.
+    // Closed gracefully, or by a reset if the system cannot otherwise end a connection that is being waited on.
     internal static async Task IsClosedAsync(Socket socket)
     {
         try
@@ -266,7 +266,7 @@ public sealed class CommandServerTests
         }
     }
 
-    // Fewer when the server closes the connection first.
+    // Returns fewer bytes if the server closes the connection first.
     internal static async Task<byte[]> ReadAsync(Socket socket, int count)
     {
         byte[] bytes = new byte[count];

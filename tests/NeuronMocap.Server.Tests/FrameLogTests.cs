@@ -54,7 +54,7 @@ public sealed class FrameLogTests
         Assert.Equal(new FrameBatch(5, 5, First: 2), log.Read(cursor, _buffer));
         Assert.Equal([3, 4, 5, 6, 7], _buffer[..5]);
 
-        // Who came in the middle of a frame gets all of it.
+        // A reader that came in the middle of a frame gets all of it.
         Assert.Equal(new FrameBatch(8, 7), log.Read(late, _buffer));
         Assert.Equal([1, 2, 2, 3, 4, 5, 6, 7], _buffer[..8]);
         Assert.Equal((0L, 0L), (log.GetMissed(cursor), log.GetMissed(late)));
@@ -74,7 +74,7 @@ public sealed class FrameLogTests
         for (byte packet = 1; packet < 3 * Frames; packet++)
             log.Publish([packet], packets: 1);
 
-        // The newest frame appears, and has taken the place of the oldest.
+        // The newest frame replaces the oldest.
         log.Publish([3 * Frames], packets: 1);
         int first = 3 * (Frames + 1 - length);
         Assert.Equal(first - 1, log.GetMissed(cursor));
@@ -120,7 +120,7 @@ public sealed class FrameLogTests
             _log.Publish(Frame(length));
             _log.Publish(Frame(second));
 
-            // There is room for both but for one byte.
+            // There is room for both except for one byte.
             Assert.Equal(new FrameBatch(length, 1), _log.Read(cursor, _buffer.AsSpan(0, length + second - 1)));
             Assert.Equal(Frame(length), _buffer[..length]);
             Assert.Equal(new FrameBatch(second, 1), _log.Read(cursor, _buffer));

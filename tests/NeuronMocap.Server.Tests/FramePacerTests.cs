@@ -4,12 +4,12 @@ using NeuronMocap.Tests.Server;
 
 namespace NeuronMocap.Server.Tests;
 
-// What spreading packets may never cost: the rate. No real time passes: waits end late, as those of busy systems do, and the rest takes none.
+// Spreading packets must never reduce the rate. No real time passes: waits end late, as on busy systems, and everything else takes no time.
 public sealed class FramePacerTests
 {
     private const int Frames = 1000;
 
-    // As many packets as are sent one by one, more than that, and as many as there are milliseconds.
+    // As many packets as are sent one by one, more packets than that, and as many as there are milliseconds.
     public static MatrixTheoryData<(double Rate, int Packets), (int Least, int Most)> Cases { get; } = new(
         [(30, 16), (60, 8), (60, 9), (60, 12), (60, 16), (120, 1), (120, 4), (120, 5), (120, 8), (125, 4), (125, 8), (500, 1), (1000, 1)],
         [(0, 0), (1, 1), (1, 2), (2, 2), (0, 16)]);

@@ -4,7 +4,7 @@ using NeuronMocap.Server.Broadcasting;
 
 namespace NeuronMocap.Server.Tests;
 
-// A pacer's time, which passes when the test says so: from one wait of the pacer to the next.
+// A pacer's time under control of the test: each step goes from one wait of the pacer to the next.
 internal sealed class ManualTime : PacerTime
 {
     private readonly Channel<(object Gate, int Milliseconds)> _waits = Channel.CreateUnbounded<(object, int)>();
@@ -20,7 +20,7 @@ internal sealed class ManualTime : PacerTime
         Monitor.Wait(gate);
     }
 
-    // Lets the pacer's wait be over. Returns when it is waiting again.
+    // Ends the pacer's wait. Returns when it is waiting again.
     public async Task<int> PassAsync()
     {
         (object gate, int milliseconds) = await _waits.Reader.ReadAsync(TestContext.Current.CancellationToken).Soon();

@@ -30,7 +30,7 @@ public sealed class RequestScannerTests
         AssertRequests([.. CreateStream().Chunk(size).SelectMany(piece => Push(scanner, piece))]);
     }
 
-    // A command's count would make it a packet with payload, if it were a reply.
+    // In a reply, a command's count would announce a payload.
     [Fact]
     public void A_request_has_no_payload_at_any_count()
     {
@@ -40,7 +40,7 @@ public sealed class RequestScannerTests
         Assert.Equal([0, 0], Push(scanner, both).Select(found => (int)found.CommandId));
     }
 
-    // More than the scanner has room for, in one go and without an end.
+    // More than the scanner has room for, in one piece and without an end.
     [Fact]
     public void Noise_is_dropped_without_memory()
     {

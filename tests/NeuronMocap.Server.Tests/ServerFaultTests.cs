@@ -9,7 +9,8 @@ using NeuronMocap.Tests.Server;
 
 namespace NeuronMocap.Server.Tests;
 
-// User code that throws on a thread of a server: sources, writers of calculation data, handlers. An exception that left the thread would end this process.
+// User code that throws on a thread of a server: sources, writers of calculation data, handlers. An exception that left the thread would end this
+// process.
 public sealed class ServerFaultTests
 {
     // Commands, and the member of the source that answers them.
@@ -160,7 +161,7 @@ public sealed class ServerFaultTests
         }
     }
 
-    // The connection is closed in good order, or reset while frames are under way.
+    // The connection is closed gracefully, or reset if frames are in transit.
     private static async Task EndAsync(TestClient client)
     {
         try

@@ -4,7 +4,7 @@ using NeuronMocap.Protocol;
 
 namespace NeuronMocap.Server.Tests;
 
-// A TCP client that knows nothing of the library but the scanner. Every read fails on a reset: a graceful end is part of each test.
+// A TCP client that uses nothing of the library except the scanner. Every read fails on a reset, because each test includes a graceful end.
 internal sealed class TestClient : IDisposable
 {
     private readonly PacketScanner _scanner = new();
@@ -15,7 +15,7 @@ internal sealed class TestClient : IDisposable
 
     public Socket Socket { get; }
 
-    // Whether the stream may end in mid-packet, as it does when the broadcaster is stopped.
+    // Whether the stream may end in mid-packet, as it does when the broadcaster stops.
     public bool AllowsCutEnd { get; init; }
 
     public static async Task<TestClient> ConnectAsync(IPEndPoint? server, bool allowsCutEnd = false)
@@ -25,7 +25,7 @@ internal sealed class TestClient : IDisposable
         return new TestClient(socket) { AllowsCutEnd = allowsCutEnd };
     }
 
-    // The next whole packet, or null at the end of the stream. The stream holds packets and nothing else.
+    // Returns the next whole packet, or null at the end of the stream. The stream must hold only packets.
     public async Task<byte[]?> ReadAsync()
     {
         while (true)

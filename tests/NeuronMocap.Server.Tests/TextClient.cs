@@ -26,7 +26,7 @@ internal static class TextClient
         return Encoding.UTF8.GetString(bytes.ToArray());
     }
 
-    // A motion line's avatar, name and values.
+    // Returns a motion line's avatar, name and values.
     public static (int Avatar, string Name, double[] Values) ParseMotion(string line)
     {
         string[] parts = line.Split(' ');

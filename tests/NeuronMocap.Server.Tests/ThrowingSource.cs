@@ -3,7 +3,7 @@ using NeuronMocap.Skeleton;
 
 namespace NeuronMocap.Server.Tests;
 
-// A performance of which one member fails from the moment on that the test says so: the members are user code, whatever thread calls them.
+// A performance with a member that fails from a moment chosen by the test. The members are user code, whatever thread calls them.
 internal sealed class ThrowingSource(string member, Exception exception) : MotionSource
 {
     private readonly SyntheticSource _actor = new();

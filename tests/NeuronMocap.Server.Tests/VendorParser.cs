@@ -2,8 +2,8 @@ using System.Buffers.Binary;
 
 namespace NeuronMocap.Server.Tests;
 
-// How the vendor's b15 and b17 libraries read (protocol.md section 5), from observation: every receive into 40,960 bytes is parsed alone, nothing is joined, and
-// after a motion frame the search goes on 64 bytes behind its end. Knows nothing of the library.
+// Reads as the vendor's b15 and b17 libraries do, by observation (protocol.md section 5). Every receive of up to 40,960 bytes is parsed separately,
+// and nothing is joined. After a motion frame, the search continues 64 bytes after its end. Uses nothing of the library.
 internal sealed class VendorParser
 {
     public const int BufferSize = 40_960;

@@ -2,7 +2,7 @@ using NeuronMocap.Tests.Network;
 
 namespace NeuronMocap.Server.Tests;
 
-// The parser that tests of the broadcaster rely on loses what the vendor's libraries were seen to lose, and nothing else.
+// The parser used by the broadcaster tests loses exactly what the vendor's libraries were observed to lose.
 public sealed class VendorParserTests
 {
     [Fact]

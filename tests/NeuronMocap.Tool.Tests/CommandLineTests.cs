@@ -141,7 +141,7 @@ public sealed partial class CommandLineTests
         Assert.Contains("write neuron-mocap watch --json.", Assert.Single(result.Error), StringComparison.Ordinal);
     }
 
-    // Every option that --help lists, so that a new one is looked at, too: with a value that none takes, and without its value.
+    // Covers every option that --help lists, so that new options are tested too: with a value that none accepts, and without a value.
     [Theory]
     [MemberData(nameof(Verbs))]
     public async Task Every_error_names_its_option(string verb)
@@ -205,7 +205,7 @@ public sealed partial class CommandLineTests
         Assert.NotEmpty(examples);
         foreach (string example in examples)
         {
-            // What stands behind the words is the meaning; > and >> are the shell's.
+            // The text after the words is the meaning. > and >> belong to the shell.
             string[] words = example.Trim().Split("  ")[0].Split('>')[0].Split(' ', StringSplitOptions.RemoveEmptyEntries);
             Assert.Equal(["neuron-mocap", verb], words[..2]);
 

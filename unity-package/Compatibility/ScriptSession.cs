@@ -11,13 +11,13 @@ using UnityEditor;
 namespace NeuronMocap.Unity.Compatibility
 {
     /// <summary>
-    /// Keeps scripts written for the vendor's C# functions from outliving their program: what they left open is closed when play mode is left, before
-    /// scripts are reloaded and when the application quits, whether or not the domain is reloaded. Exceptions of their callbacks go to the console.
-    /// Nothing has to be added to a scene.
+    /// Closes the connections of scripts written for the vendor's C# functions, so that the connections do not outlive the program. It closes them
+    /// when play mode ends, before scripts are reloaded, and when the application quits, with or without a domain reload. Exceptions of callbacks go
+    /// to the console. Scenes need no change.
     /// </summary>
     internal static class ScriptSession
     {
-        // The main thread waits for no callback longer than that; a callback that waits for the main thread would hold it up for ever.
+        // The main thread waits no longer than this for a callback. A callback that waits for the main thread would otherwise block it forever.
         private static readonly TimeSpan CloseTimeout = TimeSpan.FromMilliseconds(50);
         private static readonly TimeSpan LogPause = TimeSpan.FromSeconds(10);
 
@@ -27,7 +27,7 @@ namespace NeuronMocap.Unity.Compatibility
         [RuntimeInitializeOnLoadMethod(RuntimeInitializeLoadType.SubsystemRegistration)]
         private static void Begin()
         {
-            // Without a domain reload these are still there from the last time.
+            // Without a domain reload, handlers of the last session are still attached.
             Application.quitting -= End;
             Application.quitting += End;
             CompatibilityEvents.CallbackFailed -= LogFailure;
@@ -36,7 +36,7 @@ namespace NeuronMocap.Unity.Compatibility
 
         private static void End() => VendorSession.End(CloseTimeout);
 
-        // On the receive thread, as often as frames come.
+        // Runs on the receive thread, possibly for every frame.
         private static void LogFailure(Exception exception)
         {
             lock (LogLock)
@@ -58,8 +58,8 @@ namespace NeuronMocap.Unity.Compatibility
             EditorApplication.playModeStateChanged += EndPlayMode;
         }
 
-        // When play mode is about to end, so that no frame reaches what is being destroyed; and when it has ended, as a script may have connected again
-        // meanwhile.
+        // Closes when play mode is about to end, so that no frame reaches objects that are being destroyed. Closes again when it has ended, because a
+        // script may have reconnected in between.
         private static void EndPlayMode(PlayModeStateChange change)
         {
             if (change == PlayModeStateChange.ExitingPlayMode || change == PlayModeStateChange.EnteredEditMode)

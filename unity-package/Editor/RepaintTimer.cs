@@ -5,7 +5,7 @@ using UnityEditor;
 
 namespace NeuronMocap.Unity.EditorTools
 {
-    // Asks for a repaint ten times a second, while there is something that changes.
+    // Requests a repaint ten times a second while the content changes.
     internal sealed class RepaintTimer : IDisposable
     {
         private const double Interval = 0.1;

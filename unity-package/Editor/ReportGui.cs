@@ -6,7 +6,7 @@ using UnityEngine;
 
 namespace NeuronMocap.Unity.EditorTools
 {
-    // Draws reports, in colours that can be read on both of Unity's skins.
+    // Draws reports in colours that are readable on both of Unity's skins.
     internal static class ReportGui
     {
         private const string Dot = "\u25cf";
@@ -35,7 +35,7 @@ namespace NeuronMocap.Unity.EditorTools
             }
         }
 
-        // A line that can be clicked; shown is the one in the preview. True when it was clicked.
+        // Draws a row that can be clicked. isShown: the performer is in the preview. Returns true if the row was clicked.
         public static bool Performer(PerformerRow row, bool isShown)
         {
             using (new EditorGUILayout.HorizontalScope())

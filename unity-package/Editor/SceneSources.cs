@@ -10,8 +10,8 @@ namespace NeuronMocap.Unity.EditorTools
 {
     internal static class SceneSources
     {
-        // All of the open scenes, those of inactive objects included, none of prefabs. A search through everything that is loaded: not for every
-        // repaint.
+        // All sources of the open scenes, including those of inactive objects, without those of prefabs. It searches all loaded objects, so do not
+        // call it for every repaint.
         public static IReadOnlyList<MocapSource> Find() => Resources.FindObjectsOfTypeAll<MocapSource>()
             .Where(source => !EditorUtility.IsPersistent(source) && source.gameObject.scene.IsValid())
             .OrderBy(source => source.name, StringComparer.OrdinalIgnoreCase)

@@ -1,13 +1,13 @@
 namespace NeuronMocap.Retargeting;
 
-/// <summary>Parts of the body, for masks and weights. Every bone belongs to one of the nine parts; the rest are unions.</summary>
+/// <summary>Parts of the body, for masks and weights. Every bone belongs to exactly one of nine parts. The other values are unions.</summary>
 [Flags]
 public enum BodyParts
 {
     /// <summary>No part.</summary>
     None = 0,
 
-    /// <summary>The hips: how the body is turned and where it is.</summary>
+    /// <summary>The hips, which carry the orientation and position of the whole body.</summary>
     Hips = 1,
 
     /// <summary>Spine and chest.</summary>
@@ -43,7 +43,7 @@ public enum BodyParts
     /// <summary>Both legs.</summary>
     Legs = LeftLeg | RightLeg,
 
-    /// <summary>All above the hips.</summary>
+    /// <summary>Everything above the hips.</summary>
     UpperBody = Spine | Head | Arms | Fingers,
 
     /// <summary>Every part.</summary>

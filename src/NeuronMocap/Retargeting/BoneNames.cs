@@ -2,7 +2,7 @@ using NeuronMocap.Skeleton;
 
 namespace NeuronMocap.Retargeting;
 
-// What the bones are called in rigs of others, the best name first. No name belongs to two bones of a variant.
+// The names that other rigs use for the bones, the most common name first. Within a variant, no name belongs to two bones.
 internal static class BoneNames
 {
     private static readonly NodeName[][] Neck1 = Table(SkeletonVariant.Neck1);
@@ -17,7 +17,7 @@ internal static class BoneNames
 
     private static NodeName[] Names(NodeName own) => [.. Others(own.Part).Prepend(own.Part).Select(part => own with { Part = part })];
 
-    // Two digits count from one, as in "spine_01"; one digit counts the bones behind the first, as in "Spine1".
+    // Two-digit numbers start at one, as in "spine_01". One-digit numbers count the bones after the first, as in "Spine1".
     private static string[] Others(string part) => part switch
     {
         "hips" => ["pelvis", "hip"],

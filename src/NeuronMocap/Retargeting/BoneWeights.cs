@@ -3,10 +3,13 @@ using NeuronMocap.Skeleton;
 namespace NeuronMocap.Retargeting;
 
 /// <summary>
-/// How much of the actor's motion each bone takes over, from 0 to 1: the weight of its part of the body times its own. A joint of weight 0.5
-/// bends half as far as the actor's; what hangs from it bends, relative to it, as it would otherwise. A bone of weight 0 is not driven
-/// (<see cref="RetargetedPose.IsDriven"/>), so that an animation or a headset may move it. All weights are 1 at first. Not thread-safe.
+/// Says how much of the actor's motion each bone takes over, from 0 to 1.
 /// </summary>
+/// <remarks>
+/// The effective weight is the weight of the body part times the weight of the bone. All weights are 1 at first. A joint of weight 0.5 bends half as
+/// far as the actor's; its children keep their own bend relative to it. A bone of weight 0 is not driven (<see cref="RetargetedPose.IsDriven"/>), so
+/// an animation or a headset may move it. Not thread-safe.
+/// </remarks>
 public sealed class BoneWeights
 {
     private const int PartCount = 9;
@@ -15,28 +18,28 @@ public sealed class BoneWeights
     private readonly float[] _humanoid = new float[HumanoidBones.Count];
     private readonly float[] _bones = new float[BoneHierarchy.BoneCount];
 
-    /// <summary>Makes weights that are all 1.</summary>
+    /// <summary>Creates weights that are all 1.</summary>
     public BoneWeights() => Reset();
 
-    /// <summary>The weight of a bone of a Humanoid rig, apart from that of its part.</summary>
-    /// <param name="bone">A bone.</param>
-    /// <exception cref="ArgumentOutOfRangeException">There is no such bone, or the weight is not within 0 and 1.</exception>
+    /// <summary>Gets or sets the weight of a bone of a Humanoid rig, not including the weight of its body part.</summary>
+    /// <param name="bone">The bone.</param>
+    /// <exception cref="ArgumentOutOfRangeException">The bone is not defined, or the weight is not between 0 and 1.</exception>
     public float this[HumanoidBone bone]
     {
         get => _humanoid[HumanoidBones.CheckedIndex(bone)];
         set => _humanoid[HumanoidBones.CheckedIndex(bone)] = Checked(value);
     }
 
-    /// <summary>The weight of a bone of a generic rig, apart from that of its part.</summary>
-    /// <param name="bone">A bone.</param>
-    /// <exception cref="ArgumentOutOfRangeException">There is no such bone, or the weight is not within 0 and 1.</exception>
+    /// <summary>Gets or sets the weight of a bone of a generic rig, not including the weight of its body part.</summary>
+    /// <param name="bone">The bone.</param>
+    /// <exception cref="ArgumentOutOfRangeException">The bone is not defined, or the weight is not between 0 and 1.</exception>
     public float this[Bone bone]
     {
         get => _bones[BoneHierarchy.CheckedIndex(bone)];
         set => _bones[BoneHierarchy.CheckedIndex(bone)] = Checked(value);
     }
 
-    /// <summary>A mask: some parts with weight 1, the others with weight 0.</summary>
+    /// <summary>Creates a mask: the given parts have weight 1, all others weight 0.</summary>
     /// <param name="parts">The parts to drive.</param>
     /// <returns>New weights.</returns>
     public static BoneWeights Only(BodyParts parts)
@@ -46,7 +49,7 @@ public sealed class BoneWeights
         return weights;
     }
 
-    /// <summary>The mask for a headset that turns the head: everything is driven but the head itself. The neck is driven.</summary>
+    /// <summary>Creates the mask for a headset that turns the head. Every bone except the head is driven, including the neck.</summary>
     /// <returns>New weights.</returns>
     public static BoneWeights WithoutHead() => new() { [HumanoidBone.Head] = 0, [Bone.Head] = 0 };
 
@@ -61,7 +64,7 @@ public sealed class BoneWeights
     /// <summary>Sets the weight of one or more parts of the body.</summary>
     /// <param name="parts">The parts.</param>
     /// <param name="weight">From 0 to 1.</param>
-    /// <exception cref="ArgumentOutOfRangeException">The weight is not within 0 and 1.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">The weight is not between 0 and 1.</exception>
     public void SetPart(BodyParts parts, float weight)
     {
         Checked(weight);
@@ -72,10 +75,10 @@ public sealed class BoneWeights
         }
     }
 
-    /// <summary>The weight of a part of the body.</summary>
+    /// <summary>Gets the weight of a part of the body.</summary>
     /// <param name="part">One of the nine parts.</param>
     /// <returns>From 0 to 1.</returns>
-    /// <exception cref="ArgumentOutOfRangeException">Not one part.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">The value is not a single part.</exception>
     public float GetPart(BodyParts part) => _parts[PartIndex(part)];
 
     internal static int PartIndex(BodyParts part)
@@ -86,7 +89,7 @@ public sealed class BoneWeights
                 return i;
         }
 
-        throw new ArgumentOutOfRangeException(nameof(part), part, "One of the nine parts of the body.");
+        throw new ArgumentOutOfRangeException(nameof(part), part, "The value must be one of the nine parts of the body.");
     }
 
     internal float OfHumanoid(int part, int bone) => _parts[part] * _humanoid[bone];
@@ -95,5 +98,5 @@ public sealed class BoneWeights
 
     private static float Checked(float weight) => weight is >= 0 and <= 1
         ? weight
-        : throw new ArgumentOutOfRangeException(nameof(weight), weight, "A weight is a number from 0 to 1.");
+        : throw new ArgumentOutOfRangeException(nameof(weight), weight, "The weight must be a number from 0 to 1.");
 }

@@ -4,7 +4,7 @@ namespace NeuronMocap.Retargeting;
 
 internal static class FiniteValues
 {
-    // Infinity minus infinity is no number either.
+    // Infinity minus infinity is not a number either.
     public static bool IsFinite(float value) => value - value == 0;
 
     public static bool IsFinite(Vector3 value) => value - value == Vector3.Zero;

@@ -2,17 +2,17 @@ using System.Numerics;
 
 namespace NeuronMocap.Retargeting;
 
-// Where a foot has to be, frame by frame. Left alone it goes where the actor's motion has it, raised with the hips: its free way. A held foot stays
-// where it was when the contact began, and settles on the ground; one that is let go comes back to its free way.
+// The target of one foot, frame by frame. A free foot follows the actor's motion, raised with the hips. A held foot stays where its contact began,
+// and settles on the ground. A released foot blends back to its free position.
 internal sealed class FootHold(FootLeg leg)
 {
-    // So far, in metres, a held foot may be pulled off its place before it is let go.
+    // In metres. A held foot that is pulled further than this from its place is released.
     private const float LargestSlip = 0.002f;
 
-    // A foot that is further from the ground than this part of the leg stands on something else.
+    // As a fraction of the leg. A foot further from the ground stands on something else.
     private const float FurthestGround = 0.1f;
 
-    // A foot that stands does not come this far in one frame, as a part of the leg: it stepped in frames that were missed, or the actor was put elsewhere.
+    // As a fraction of the leg. A planted foot does not move this far in one frame: either frames with a step are missing, or the actor was moved.
     private const float LongestMove = 0.1f;
 
     private Vector3 _ankle;
@@ -26,7 +26,7 @@ internal sealed class FootHold(FootLeg leg)
     private double _sinceEnd;
     private bool _isLost;
 
-    // What turns the actor's foot into the character's: as it is, and as it was when the contact began or ended.
+    // The turn from the actor's foot to the character's: now, and when the contact began or ended.
     private Quaternion _turn = Quaternion.Identity;
     private Quaternion _turnBefore = Quaternion.Identity;
 
@@ -34,10 +34,10 @@ internal sealed class FootHold(FootLeg leg)
 
     public bool IsHeld { get; private set; }
 
-    // Of the ankle.
+    // The target of the ankle.
     public Vector3 Target { get; private set; }
 
-    // How far the actor's motion is to be raised so that the sole, where it was lowest in this contact, is on the ground. Null: nothing is known.
+    // How far to raise the actor's motion to put the lowest sole of this contact on the ground. Null: unknown.
     public float? Rise { get; private set; }
 
     public float? GetRise(float ground) =>
@@ -53,7 +53,7 @@ internal sealed class FootHold(FootLeg leg)
         Rise = null;
     }
 
-    // With the ground that it stands on, where that is set to another height; not onto what is out of a foot's reach.
+    // Follows a change of the configured ground height, but not to ground that is out of the foot's reach.
     public void Lift(float way, float ground)
     {
         if (Rise is not { } rise || GetRise(ground) is not { } goal)
@@ -89,7 +89,7 @@ internal sealed class FootHold(FootLeg leg)
         Target = _place + (Leg.Up * (_startHeight + ((_goalHeight - _startHeight) * settled)));
     }
 
-    // With the hips where they will be. A leg too short for the ground holds the foot above it, and one too short for the place lets it go.
+    // Takes the final position of the hips. A leg too short for the ground holds the foot above it. A leg too short for the place releases the foot.
     public void Solve(RetargetedPose pose, float shift, FootPlanterOptions options)
     {
         if (IsHeld)

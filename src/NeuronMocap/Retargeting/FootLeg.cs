@@ -2,13 +2,13 @@ using System.Numerics;
 
 namespace NeuronMocap.Retargeting;
 
-// A leg of a rig: where the newest pose has it, and how it is bent so that the foot comes elsewhere.
+// A leg of a rig: its place in the newest pose, and the bend that brings the foot to another place.
 internal sealed class FootLeg
 {
-    // Where a rig has no toes: how far the ball of the foot is in front of the ankle, as a part of the leg.
+    // The distance from the ankle forward to the ball of the foot, as a fraction of the leg, for rigs without toes.
     private const float UsualToes = 0.16f;
 
-    // From here on, as a part of its length, a leg is stretched ever less: one that becomes straight at once throws its knee.
+    // As a fraction of the leg's length. Past this point the leg stretches more and more slowly, because a sudden straightening makes the knee jump.
     private const float NearlyStraight = 0.96f;
 
     private const int MaxAttempts = 8;
@@ -19,7 +19,8 @@ internal sealed class FootLeg
     private readonly int _shin;
     private readonly int _foot;
 
-    // From the ankle at rest, in the character's root: to the point of the sole under it, and to the ball of the foot, on the ground as well.
+    // Offsets from the ankle at rest, in the space of the character's root: to the sole under the ankle, and to the ball of the foot, also on the
+    // ground.
     private readonly Vector3 _heel;
     private readonly Vector3 _ball;
     private Vector3 _hip;
@@ -31,13 +32,13 @@ internal sealed class FootLeg
         Length = LengthIn(rest);
         Vector3 toes = FindToes() is { } node ? rest[node] : rest[foot] + (Forward * (UsualToes * Length));
 
-        // At rest a figure stands on its root, unless that is above the feet.
+        // At rest a figure stands at the height of its root, unless the root is above the feet.
         float ground = Math.Min(0, Math.Min(Height(rest[foot]), Height(toes)));
         _heel = rig.Up * (ground - Height(rest[foot]));
         _ball = toes - rest[foot] + (rig.Up * (ground - Height(toes)));
     }
 
-    // Of a sheared rig it changes with the pose.
+    // The length of a leg of a sheared rig changes with the pose.
     public float Length { get; private set; }
 
     public Vector3 Up => _rig.Up;
@@ -48,7 +49,7 @@ internal sealed class FootLeg
 
     public Quaternion Rotation { get; private set; }
 
-    // How high the ankle is above the lowest point of the sole, as the foot is turned.
+    // The height of the ankle above the lowest point of the sole, at the current rotation of the foot.
     public float AnkleHeight => -Math.Min(Height(Turned(_heel, Rotation)), Height(Turned(_ball, Rotation)));
 
     public float SoleHeight => Height(Ankle) - AnkleHeight;
@@ -75,18 +76,18 @@ internal sealed class FootLeg
         Rotation = pose.WorldRotations[_foot];
     }
 
-    // How far the hips, moved up by that much, have to come down again before the ankle reaches the target.
+    // How far the hips, raised by the shift, must come down again for the ankle to reach the target.
     public float LoweringFor(Vector3 target, float shift)
     {
         float reach = Math.Max(Stretched(Vector3.Distance(_hip + (_rig.Up * shift), target)), Vector3.Distance(_hip, Ankle));
         return Math.Max(0, Height(_hip) + shift - Height(target) - Drop(_hip, target, reach));
     }
 
-    // The height at which the stretched leg ends above, or below, a place; that of the hip when the place is too far aside.
+    // The lowest height above or below a place that the stretched leg reaches. The height of the hip joint if the place is too far aside.
     public float LowestReached(RetargetedPose pose, Vector3 place) =>
         Height(pose.WorldPositions[_thigh]) - Drop(pose.WorldPositions[_thigh], place, Length);
 
-    // The foot level, pointing where it points.
+    // The rotation that levels the foot and keeps its heading.
     public Quaternion Flattened()
     {
         Quaternion rest = _rig.RestRotations[_foot];
@@ -99,7 +100,7 @@ internal sealed class FootLeg
 
     public void Bend(RetargetedPose pose, Vector3 target, Quaternion rotation)
     {
-        // Once, but for sheared rigs, whose bones change their lengths as they turn.
+        // One attempt suffices, except for sheared rigs: the length of their bones changes as they turn.
         Vector3 aim = target;
         for (int attempt = 0; attempt < (_rig.IsSheared ? MaxAttempts : 1); attempt++)
         {
@@ -120,7 +121,7 @@ internal sealed class FootLeg
         pose.SetWorldRotation(_foot, rotation);
     }
 
-    // The foot as the actor has it, its toes raised as far as they would be in the ground.
+    // The rotation of the actor's foot, with toes raised if they would be below the ground.
     public Quaternion KeepToesAbove(float ground, Vector3 ankle)
     {
         Vector3 ball = Turned(_ball, Rotation);
@@ -156,7 +157,7 @@ internal sealed class FootLeg
         return distance <= from ? distance : from + (rest * (1 - MathF.Exp((from - distance) / rest)));
     }
 
-    // How far below the hip a leg of that length ends that leads to the place.
+    // The vertical distance from the hip joint to the end of a leg of the given length that points to the place.
     private float Drop(Vector3 hip, Vector3 place, float length)
     {
         Vector3 way = place - hip;
@@ -170,7 +171,7 @@ internal sealed class FootLeg
         return Quaternion.CreateFromAxisAngle(_rig.Up, angle);
     }
 
-    // The joint that hangs from the foot and is furthest in front of it.
+    // The child of the foot that is furthest in front of it.
     private int? FindToes()
     {
         int? toes = null;

@@ -1,17 +1,24 @@
 namespace NeuronMocap.Retargeting;
 
 /// <summary>
-/// Holds a character's feet where they touch the ground. Other proportions than the actor's, and the drift of inertial sensors, make feet slide;
-/// here a foot keeps its place from the first frame of a contact to the last, and the leg is bent to fit. Works on a retargeted pose, in the
-/// character's root: not for <see cref="RootMotion.InPlace"/>, where feet are meant to slide. Knees that noise bends backwards are bent forward.
-/// Allocates nothing for a frame, works the same at any frame rate. Not thread-safe.
+/// Holds a character's feet in place while they touch the ground, so that they do not slide.
 /// </summary>
+/// <remarks>
+/// <para>
+/// Feet slide when the character's proportions differ from the actor's, and when inertial sensors drift. A planted foot keeps its place from the
+/// first frame of a contact to the last, and the leg bends to fit. Knees that noise bends backwards are bent forward.
+/// </para>
+/// <para>
+/// The planter works on a retargeted pose, in the space of the character's root. Do not use it with <see cref="RootMotion.InPlace"/>, where feet
+/// slide by design. Results do not depend on the frame rate. Allocates nothing for a frame. Not thread-safe.
+/// </para>
+/// </remarks>
 public sealed class FootPlanter
 {
-    /// <summary>A longer time between two frames, in seconds, forward or back, is a break: what was held is forgotten.</summary>
+    /// <summary>The longest time between two frames, in seconds, forward or backward. A longer time is a break: the planter resets.</summary>
     public const double MaxGap = 1;
 
-    // How long the hips take to go most of the way to the height at which the feet stand: longer than a blend, shorter than a few steps.
+    // The time in which the hips cover most of the distance to the height at which the feet stand: longer than a blend, shorter than a few steps.
     private const double HipsSeconds = 0.3;
 
     private readonly FootHold? _left;
@@ -21,9 +28,9 @@ public sealed class FootPlanter
     private float _height;
     private float? _givenGround;
 
-    /// <summary>Makes a planter for a character.</summary>
-    /// <param name="rig">The character. A leg whose thigh, shin and foot do not hang from each other is left alone.</param>
-    /// <param name="options">Null: the defaults.</param>
+    /// <summary>Creates a planter for a character.</summary>
+    /// <param name="rig">The character. A leg whose thigh, shin and foot do not form a chain is left unchanged.</param>
+    /// <param name="options">The options, or null for the defaults.</param>
     public FootPlanter(TargetRig rig, FootPlanterOptions? options = null)
     {
         ArgumentNullException.ThrowIfNull(rig);
@@ -33,33 +40,35 @@ public sealed class FootPlanter
         _right = CreateHold(HumanoidBone.RightUpperLeg, HumanoidBone.RightLowerLeg, HumanoidBone.RightFoot);
     }
 
-    /// <summary>The character.</summary>
+    /// <summary>Gets the character.</summary>
     public TargetRig Rig { get; }
 
-    /// <summary>Read for each frame.</summary>
+    /// <summary>Gets the options, which are read for each frame.</summary>
     public FootPlanterOptions Options { get; }
 
-    /// <summary>Which feet are held in the newest frame: those in contact, but for one that the leg cannot reach any more.</summary>
+    /// <summary>Gets the feet held in the newest frame: the feet in contact, except one that the leg can no longer reach.</summary>
     public FootContacts Planted => new(_left is { IsHeld: true }, _right is { IsHeld: true });
 
-    /// <summary>How far the hips are moved up in the newest frame, in metres of the character's root; negative: down.</summary>
+    /// <summary>Gets how far the hips are raised in the newest frame, in metres of the character's root. Negative values lower them.</summary>
     public float HipsShift { get; private set; }
 
     private float LargestShift => Options.MaxHipsShift * Rig.LegLength;
 
     /// <summary>Corrects hips, legs and feet of a pose.</summary>
-    /// <param name="pose">What the retargeter made of the frame; its world is up to date afterwards. Legs that are not driven are left alone.</param>
-    /// <param name="contacts">Which of the actor's feet stand: from calculation data, or estimated.</param>
-    /// <param name="seconds">
-    /// When the frame is, on any clock. One that is no later than the frame before counts as the same moment; further back than
-    /// <see cref="MaxGap"/>, as where a take begins again, it is a break.
+    /// <param name="pose">
+    /// The retargeted pose of the frame. Its world transforms are up to date afterwards. Legs that are not driven are left unchanged.
     /// </param>
-    /// <exception cref="ArgumentException">The pose is of another rig.</exception>
+    /// <param name="contacts">The actor's feet that touch the ground, from calculation data or estimated.</param>
+    /// <param name="seconds">
+    /// The time of the frame, on any clock. A time no later than the previous frame counts as the same moment. A jump back by more than
+    /// <see cref="MaxGap"/>, as where a take starts again, is a break.
+    /// </param>
+    /// <exception cref="ArgumentException">The pose belongs to another rig.</exception>
     public void Plant(RetargetedPose pose, FootContacts contacts, double seconds)
     {
         ArgumentNullException.ThrowIfNull(pose);
         if (pose.Rig != Rig)
-            throw new ArgumentException("The pose is of another rig.", nameof(pose));
+            throw new ArgumentException("The pose belongs to another rig.", nameof(pose));
 
         pose.UpdateWorld();
         bool movesHips = pose.IsDriven(Rig.HipsNode);
@@ -68,7 +77,7 @@ public sealed class FootPlanter
         FootHold? right = Ready(_right, pose);
         float ground = Options.GroundHeight ?? _ground.Update(Math.Min(SoleOf(left), SoleOf(right)), elapsed);
 
-        // At once in the first frame, which nothing comes before; later little by little.
+        // The first frame sets the height at once. Later frames approach it gradually.
         if (isFirst)
             Learn(contacts.Left ? left?.GetRise(ground) : null, contacts.Right ? right?.GetRise(ground) : null, double.PositiveInfinity);
         if (!movesHips)
@@ -89,7 +98,7 @@ public sealed class FootPlanter
         Learn(left?.Rise, right?.Rise, elapsed);
     }
 
-    /// <summary>Forgets what is held: before another take, or after the character was put elsewhere.</summary>
+    /// <summary>Forgets all contacts. Call it before another take, or after you move the character.</summary>
     public void Reset()
     {
         _left?.Reset();
@@ -126,7 +135,7 @@ public sealed class FootPlanter
         return isFirst ? 0 : Math.Max(0, elapsed);
     }
 
-    // Towards what brings the soles that stand to the ground.
+    // Approaches the height that puts the planted soles on the ground.
     private void Learn(float? left, float? right, double elapsed)
     {
         if ((left ?? right) is not { } rise)

@@ -1,6 +1,6 @@
 namespace NeuronMocap.Retargeting;
 
-/// <summary>How feet are held on the ground. Read anew for each frame, on the thread that retargets: change it there at any time.</summary>
+/// <summary>Options for foot planting. They are read for each frame, on the thread that retargets. Change them on that thread at any time.</summary>
 public sealed class FootPlanterOptions
 {
     private double _blendIn = 0.1;
@@ -9,18 +9,18 @@ public sealed class FootPlanterOptions
     private float _largestHipsShift = 0.1f;
 
     /// <summary>
-    /// How long a foot takes to settle on the ground once it has contact, in seconds; 0.1 unless set otherwise. Sideways it stands still from the
-    /// first frame of the contact on.
+    /// Gets or sets how long a foot takes to settle on the ground after contact begins, in seconds. The default is 0.1. Horizontally, the foot is
+    /// still from the first frame of the contact.
     /// </summary>
-    /// <exception cref="ArgumentOutOfRangeException">Negative, or not a finite number.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">The value is negative or not finite.</exception>
     public double BlendIn
     {
         get => _blendIn;
         set => _blendIn = Checked(value, nameof(value));
     }
 
-    /// <summary>How long a foot takes to follow the actor's again once the contact has ended, in seconds; 0.2 unless set otherwise.</summary>
-    /// <exception cref="ArgumentOutOfRangeException">Negative, or not a finite number.</exception>
+    /// <summary>Gets or sets how long a foot takes to follow the actor again after contact ends, in seconds. The default is 0.2.</summary>
+    /// <exception cref="ArgumentOutOfRangeException">The value is negative or not finite.</exception>
     public double BlendOut
     {
         get => _blendOut;
@@ -28,46 +28,48 @@ public sealed class FootPlanterOptions
     }
 
     /// <summary>
-    /// How high the ground is above the character's root, in metres; 0 unless set otherwise. Null: learnt from the motion, as the height that the soles come
-    /// down to; the ground then rises as stairs do. A foot further from the ground than <see cref="MaxHipsShift"/> stands on something else, and keeps
-    /// its height.
+    /// Gets or sets the height of the ground above the character's root, in metres, or null to learn it from the motion. The default is 0.
     /// </summary>
-    /// <exception cref="ArgumentOutOfRangeException">Not a finite number.</exception>
+    /// <remarks>
+    /// A learnt ground is the height that the soles come down to; it rises as the character climbs stairs. A foot further from the ground than
+    /// <see cref="MaxHipsShift"/> stands on something else, and keeps its height.
+    /// </remarks>
+    /// <exception cref="ArgumentOutOfRangeException">The value is not finite.</exception>
     public float? GroundHeight
     {
         get => _groundHeight;
         set => _groundHeight = value is not { } height || FiniteValues.IsFinite(height)
             ? value
-            : throw new ArgumentOutOfRangeException(nameof(value), value, "The height is a number of metres, or null.");
+            : throw new ArgumentOutOfRangeException(nameof(value), value, "The height must be a number of metres, or null.");
     }
 
     /// <summary>
-    /// How far the hips may be moved up or down so that the legs reach, as a part of the length of a leg; 0.1 unless set otherwise. With 0 they stay where
-    /// the actor has them.
+    /// Gets or sets how far the hips may move up or down so that the legs reach the ground, as a fraction of leg length. The default is 0.1. With
+    /// 0 the hips stay where the actor's motion puts them.
     /// </summary>
-    /// <exception cref="ArgumentOutOfRangeException">Below 0 or above 1.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">The value is less than 0 or greater than 1.</exception>
     public float MaxHipsShift
     {
         get => _largestHipsShift;
         set => _largestHipsShift = value is >= 0 and <= 1
             ? value
-            : throw new ArgumentOutOfRangeException(nameof(value), value, "The part is between 0 and 1.");
+            : throw new ArgumentOutOfRangeException(nameof(value), value, "The fraction must be between 0 and 1.");
     }
 
-    /// <summary>How a foot is turned while it stands.</summary>
+    /// <summary>Gets or sets how a foot is turned while it is planted.</summary>
     public FootRotation FootRotation { get; set; }
 
     private static double Checked(double seconds, string name) => seconds >= 0 && !double.IsInfinity(seconds)
         ? seconds
-        : throw new ArgumentOutOfRangeException(name, seconds, "The time is a number of seconds, 0 or more.");
+        : throw new ArgumentOutOfRangeException(name, seconds, "The time must be a number of seconds, 0 or more.");
 }
 
-/// <summary>How a foot is turned while it stands.</summary>
+/// <summary>Specifies how a foot is turned while it is planted.</summary>
 public enum FootRotation
 {
-    /// <summary>As the actor's: it rolls from heel to toes.</summary>
+    /// <summary>The foot keeps the actor's rotation: it rolls from heel to toes.</summary>
     Keep,
 
-    /// <summary>With the whole sole on the ground, and the way that it points kept: for actors whose feet tilt, and for game characters.</summary>
+    /// <summary>The whole sole is on the ground, and the foot keeps its heading. For actors whose feet tilt, and for game characters.</summary>
     Flatten,
 }

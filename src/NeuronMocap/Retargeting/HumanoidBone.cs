@@ -1,6 +1,8 @@
 namespace NeuronMocap.Retargeting;
 
-/// <summary>The 55 bones of Unity's Humanoid rigs; names and numbers are those of Unity's HumanBodyBones. 15 of them every rig has.</summary>
+/// <summary>
+/// The 55 bones of Unity's Humanoid rigs. Names and numbers match Unity's HumanBodyBones. Every rig has 15 of them; the others are optional.
+/// </summary>
 public enum HumanoidBone
 {
     /// <summary>Root of the body.</summary>
@@ -60,19 +62,19 @@ public enum HumanoidBone
     /// <summary>Right hand.</summary>
     RightHand,
 
-    /// <summary>Left toes; no source.</summary>
+    /// <summary>Left toes; not in the stream.</summary>
     LeftToes,
 
-    /// <summary>Right toes; no source.</summary>
+    /// <summary>Right toes; not in the stream.</summary>
     RightToes,
 
-    /// <summary>Left eye; no source.</summary>
+    /// <summary>Left eye; not in the stream.</summary>
     LeftEye,
 
-    /// <summary>Right eye; no source.</summary>
+    /// <summary>Right eye; not in the stream.</summary>
     RightEye,
 
-    /// <summary>Jaw; no source.</summary>
+    /// <summary>Jaw; not in the stream.</summary>
     Jaw,
 
     /// <summary>Left thumb, first bone; optional.</summary>

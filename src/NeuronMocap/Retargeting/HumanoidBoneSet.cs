@@ -1,16 +1,16 @@
 namespace NeuronMocap.Retargeting;
 
-/// <summary>A set of Humanoid bones, such as those that a rig has.</summary>
+/// <summary>A set of Humanoid bones, such as the bones of a rig.</summary>
 public readonly record struct HumanoidBoneSet
 {
     private readonly ulong _bits;
 
     private HumanoidBoneSet(ulong bits) => _bits = bits;
 
-    /// <summary>All 55.</summary>
+    /// <summary>Gets the set of all 55 bones.</summary>
     public static HumanoidBoneSet All => new((1UL << HumanoidBones.Count) - 1);
 
-    /// <summary>How many there are.</summary>
+    /// <summary>Gets the number of bones in the set.</summary>
     public int Count
     {
         get
@@ -23,21 +23,21 @@ public readonly record struct HumanoidBoneSet
         }
     }
 
-    /// <summary>Whether a bone is in the set.</summary>
-    /// <param name="bone">A bone.</param>
-    /// <returns>False, too, for what is no bone.</returns>
+    /// <summary>Determines whether a bone is in the set.</summary>
+    /// <param name="bone">The bone.</param>
+    /// <returns>True if the set contains the bone; false otherwise, and for undefined values.</returns>
     public bool Contains(HumanoidBone bone) => (uint)bone < HumanoidBones.Count && (_bits & Bit(bone)) != 0;
 
-    /// <summary>The set with one bone more.</summary>
-    /// <param name="bone">A bone.</param>
-    /// <returns>Another set.</returns>
-    /// <exception cref="ArgumentOutOfRangeException">There is no such bone.</exception>
+    /// <summary>Returns a set that also contains a bone.</summary>
+    /// <param name="bone">The bone.</param>
+    /// <returns>The new set.</returns>
+    /// <exception cref="ArgumentOutOfRangeException">The bone is not defined.</exception>
     public HumanoidBoneSet With(HumanoidBone bone) => new(_bits | Bit(bone));
 
-    /// <summary>The set with one bone less.</summary>
-    /// <param name="bone">A bone.</param>
-    /// <returns>Another set.</returns>
-    /// <exception cref="ArgumentOutOfRangeException">There is no such bone.</exception>
+    /// <summary>Returns a set without a bone.</summary>
+    /// <param name="bone">The bone.</param>
+    /// <returns>The new set.</returns>
+    /// <exception cref="ArgumentOutOfRangeException">The bone is not defined.</exception>
     public HumanoidBoneSet Without(HumanoidBone bone) => new(_bits & ~Bit(bone));
 
     private static ulong Bit(HumanoidBone bone) => 1UL << HumanoidBones.CheckedIndex(bone);

@@ -10,26 +10,26 @@ public static class HumanoidBones
 
     private static readonly string[] Names = [.. Enumerable.Range(0, Count).Select(index => Spell((HumanoidBone)index))];
 
-    /// <summary>The name that Unity's HumanTrait.BoneName gives the bone, which a HumanDescription has to spell alike.</summary>
-    /// <param name="bone">A bone.</param>
-    /// <returns>As in "LeftUpperArm" and, with spaces, "Left Index Proximal".</returns>
-    /// <exception cref="ArgumentOutOfRangeException">There is no such bone.</exception>
+    /// <summary>Gets the name that Unity's HumanTrait.BoneName gives the bone. A HumanDescription must spell it the same way.</summary>
+    /// <param name="bone">The bone.</param>
+    /// <returns>A name such as "LeftUpperArm" or, with spaces, "Left Index Proximal".</returns>
+    /// <exception cref="ArgumentOutOfRangeException">The bone is not defined.</exception>
     public static string GetName(HumanoidBone bone) => Names[CheckedIndex(bone)];
 
-    /// <summary>Whether Unity makes no Humanoid of a rig that lacks the bone.</summary>
-    /// <param name="bone">A bone.</param>
+    /// <summary>Determines whether a bone is required: without it, Unity cannot create a Humanoid avatar.</summary>
+    /// <param name="bone">The bone.</param>
     /// <returns>True for 15 of the bones.</returns>
-    /// <exception cref="ArgumentOutOfRangeException">There is no such bone.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">The bone is not defined.</exception>
     public static bool IsRequired(HumanoidBone bone) => (HumanoidBone)CheckedIndex(bone) switch
     {
         HumanoidBone.Chest or HumanoidBone.Neck or HumanoidBone.LeftShoulder or HumanoidBone.RightShoulder => false,
         _ => bone <= HumanoidBone.RightHand,
     };
 
-    /// <summary>The bone that another one hangs from in a rig that has all.</summary>
-    /// <param name="bone">A bone.</param>
+    /// <summary>Gets the parent of a bone in a rig that has all bones.</summary>
+    /// <param name="bone">The bone.</param>
     /// <returns>The parent, or null for the hips.</returns>
-    /// <exception cref="ArgumentOutOfRangeException">There is no such bone.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">The bone is not defined.</exception>
     public static HumanoidBone? GetParent(HumanoidBone bone) => (HumanoidBone)CheckedIndex(bone) switch
     {
         HumanoidBone.Hips => null,
@@ -47,10 +47,10 @@ public static class HumanoidBones
         _ => HumanoidBone.RightHand,
     };
 
-    /// <summary>The part of the body that a bone belongs to.</summary>
-    /// <param name="bone">A bone.</param>
+    /// <summary>Gets the part of the body that a bone belongs to.</summary>
+    /// <param name="bone">The bone.</param>
     /// <returns>One of the nine parts.</returns>
-    /// <exception cref="ArgumentOutOfRangeException">There is no such bone.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">The bone is not defined.</exception>
     public static BodyParts GetPart(HumanoidBone bone) => (HumanoidBone)CheckedIndex(bone) switch
     {
         HumanoidBone.Hips => BodyParts.Hips,
@@ -59,7 +59,7 @@ public static class HumanoidBones
         >= HumanoidBone.RightThumbProximal => BodyParts.RightFingers,
         >= HumanoidBone.LeftThumbProximal => BodyParts.LeftFingers,
 
-        // Odd numbers are on the left, even ones on the right, from the thighs to the feet, shoulders to hands; so are the toes.
+        // From thighs to feet, from shoulders to hands, and at the toes, odd numbers are on the left and even numbers on the right.
         < HumanoidBone.Spine or HumanoidBone.LeftToes or HumanoidBone.RightToes =>
             bone is HumanoidBone.LeftUpperLeg or HumanoidBone.LeftLowerLeg or HumanoidBone.LeftFoot or HumanoidBone.LeftToes
                 ? BodyParts.LeftLeg
@@ -67,11 +67,11 @@ public static class HumanoidBones
         _ => ((int)bone & 1) != 0 ? BodyParts.LeftArm : BodyParts.RightArm,
     };
 
-    /// <summary>The part of the body that a bone of the stream belongs to.</summary>
-    /// <param name="bone">A bone.</param>
-    /// <param name="variant">Decides whether the bone at index 10 is of the spine or of the neck.</param>
-    /// <returns>One of the nine parts; the palm bones of the hands are fingers.</returns>
-    /// <exception cref="ArgumentOutOfRangeException">There is no such bone.</exception>
+    /// <summary>Gets the part of the body that a bone of the stream belongs to.</summary>
+    /// <param name="bone">The bone.</param>
+    /// <param name="variant">Determines whether the bone at index 10 belongs to the spine or to the neck.</param>
+    /// <returns>One of the nine parts. The palm bones of the hands belong to the fingers.</returns>
+    /// <exception cref="ArgumentOutOfRangeException">The bone is not defined.</exception>
     public static BodyParts GetPart(Bone bone, SkeletonVariant variant = SkeletonVariant.Neck1) => (Bone)BoneHierarchy.CheckedIndex(bone) switch
     {
         Bone.Hips => BodyParts.Hips,
@@ -90,7 +90,7 @@ public static class HumanoidBones
     {
         int index = (int)bone;
         if ((uint)index >= Count)
-            throw new ArgumentOutOfRangeException(nameof(bone), bone, "There are 55 Humanoid bones, 0 to 54.");
+            throw new ArgumentOutOfRangeException(nameof(bone), bone, "The bone must be one of the 55 Humanoid bones, 0 to 54.");
 
         return index;
     }

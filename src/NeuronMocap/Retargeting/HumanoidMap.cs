@@ -3,19 +3,19 @@ using NeuronMocap.Skeleton;
 namespace NeuronMocap.Retargeting;
 
 /// <summary>
-/// Which bone of the stream a Humanoid bone follows. The stream has more bones than a Humanoid rig: a target bone stands for a group of
-/// them and follows the last of its group, so that all rotations of the group arrive. 50 of the 55 have a source; toes, eyes and jaw have none.
+/// Maps Humanoid bones to bones of the stream. The stream has more bones than a Humanoid rig, so each Humanoid bone stands for a group of them. It
+/// follows the last bone of the group and thus receives all rotations of the group. 50 of the 55 bones have a source; toes, eyes and jaw have none.
 /// </summary>
 public static class HumanoidMap
 {
-    /// <summary>The bone of the stream whose turn in the world a Humanoid bone takes over.</summary>
-    /// <param name="bone">A bone of the target.</param>
+    /// <summary>Gets the bone of the stream whose world rotation a Humanoid bone takes over.</summary>
+    /// <param name="bone">A bone of the character.</param>
     /// <param name="variant">How the stream divides spine and neck.</param>
     /// <param name="present">
-    /// The bones that the target has: the topmost one of spine, chest and upper chest follows the bone that the shoulders hang from.
+    /// The bones that the character has. The topmost of spine, chest and upper chest follows the bone that is the parent of the shoulders.
     /// </param>
     /// <returns>A bone of the stream, or null for toes, eyes and jaw, which stay at rest.</returns>
-    /// <exception cref="ArgumentOutOfRangeException">There is no such bone.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">The bone is not defined.</exception>
     public static Bone? GetSource(HumanoidBone bone, SkeletonVariant variant, HumanoidBoneSet present)
     {
         Bone topOfSpine = variant == SkeletonVariant.Spine3 ? Bone.Neck : Bone.Spine2;
@@ -48,7 +48,7 @@ public static class HumanoidMap
         };
     }
 
-    // Three bones a finger, five fingers a hand, the left hand first. In the stream a palm bone stands before each finger but the thumb.
+    // Three bones for each finger, five fingers for each hand, left hand first. In the stream, a palm bone precedes each finger except the thumb.
     private static Bone GetFinger(int index)
     {
         Bone thumb = index < 15 ? Bone.LeftHandThumb1 : Bone.RightHandThumb1;

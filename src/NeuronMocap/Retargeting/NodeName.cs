@@ -2,7 +2,7 @@ using System.Text;
 
 namespace NeuronMocap.Retargeting;
 
-// A node's name as what it says, whatever the spelling: "LeftUpLeg", "left up leg" and "up_leg.L" are (Left, "upleg").
+// The meaning of a node's name, independent of spelling: "LeftUpLeg", "left up leg" and "up_leg.L" are (Left, "upleg").
 internal readonly record struct NodeName(BodySide Side, string Part)
 {
     public static NodeName Read(string name)
@@ -21,7 +21,7 @@ internal readonly record struct NodeName(BodySide Side, string Part)
         string whole = part.ToString();
         if (side == BodySide.None)
         {
-            // Written without a capital or a separator: "leftarm".
+            // A name without capitals and separators, such as "leftarm".
             if (whole.StartsWith("left", StringComparison.Ordinal))
                 return new NodeName(BodySide.Left, whole["left".Length..]);
             if (whole.StartsWith("right", StringComparison.Ordinal))
@@ -38,10 +38,10 @@ internal readonly record struct NodeName(BodySide Side, string Part)
         _ => BodySide.None,
     };
 
-    // What modelling programs put in front: "mixamorig:", "character|".
+    // Removes the prefixes of modelling programs, such as "mixamorig:" and "character|".
     private static string AfterNamespace(string name) => name[(name.LastIndexOfAny([':', '|']) + 1)..];
 
-    // In lower case. A word ends at a separator, before a capital letter and where a number begins.
+    // Words in lower case. A word ends at a separator, before a capital letter and before a number.
     private static IEnumerable<string> Words(string name)
     {
         int start = 0;

@@ -2,22 +2,22 @@ using System.Numerics;
 
 namespace NeuronMocap.Retargeting;
 
-// One driven node: what it follows, and what its rest pose makes of it.
+// A driven node: the bone it follows, and the rotations that account for its rest pose.
 internal readonly struct RetargetLink
 {
     public int Node { get; init; }
 
-    // The bone of the stream that it follows, and the one that the next driven node above it follows, or -1.
+    // The bone of the stream that the node follows, and the bone that its closest driven ancestor follows, or -1.
     public int Source { get; init; }
 
     public int SourceAbove { get; init; }
 
-    // Where its weight stands.
+    // Indices of the weights.
     public int Part { get; init; }
 
     public int Bone { get; init; }
 
-    // From the parent's axes at rest to the source's, and from the source's to the node's own.
+    // Rotations from the parent's axes at rest to the source's, and from the source's axes to the node's own.
     public Quaternion Before { get; init; }
 
     public Quaternion After { get; init; }

@@ -3,7 +3,7 @@ using NeuronMocap.Skeleton;
 
 namespace NeuronMocap.Retargeting;
 
-// The links of a rig to a variant of the stream, in the order of the nodes: the hips first.
+// The links of a rig to a variant of the stream. The hips come first, then the other nodes in order.
 internal static class RetargetLinks
 {
     public static RetargetLink[] Create(TargetRig rig, SkeletonVariant variant)
@@ -18,7 +18,7 @@ internal static class RetargetLinks
                 links.Add(CreateLink(rig, node, sources, variant));
         }
 
-        // Only flat rigs have bones before the hips.
+        // Only in flat rigs can bones come before the hips.
         int hips = links.FindIndex(link => link.Node == rig.HipsNode);
         (links[0], links[hips]) = (links[hips], links[0]);
         return [.. links];

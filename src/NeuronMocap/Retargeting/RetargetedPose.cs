@@ -3,8 +3,8 @@ using System.Numerics;
 namespace NeuronMocap.Retargeting;
 
 /// <summary>
-/// A pose of a character: a local rotation for each node of a rig and a local position for the hips, ready to be written to transforms, in
-/// Unity's axes. At rest until something is retargeted into it. All memory is allocated here, once. Not thread-safe.
+/// A pose of a character, ready to be written to transforms in Unity's axes: a local rotation for each node of a rig, and a local position for the
+/// hips. It is the rest pose until a frame is retargeted into it. The constructor allocates all memory. Not thread-safe.
 /// </summary>
 public sealed class RetargetedPose
 {
@@ -14,7 +14,7 @@ public sealed class RetargetedPose
     private readonly Vector3[] _worldPositions;
     private readonly Matrix4x4[]? _matrices;
 
-    /// <summary>Makes the rest pose of a rig.</summary>
+    /// <summary>Creates the rest pose of a rig.</summary>
     /// <param name="rig">The character.</param>
     public RetargetedPose(TargetRig rig)
     {
@@ -29,27 +29,29 @@ public sealed class RetargetedPose
         Reset();
     }
 
-    /// <summary>The character.</summary>
+    /// <summary>Gets the character.</summary>
     public TargetRig Rig { get; }
 
-    /// <summary>localRotation of each node; that of a node which is not driven is its rotation at rest.</summary>
+    /// <summary>Gets the localRotation of each node. A node that is not driven has its rest rotation.</summary>
     public Span<Quaternion> LocalRotations => _local;
 
-    /// <summary>localPosition of the hips.</summary>
+    /// <summary>Gets or sets the localPosition of the hips.</summary>
     public Vector3 HipsLocalPosition { get; set; }
 
-    /// <summary>Where the nodes are in the character's root, in metres, as of the last <see cref="UpdateWorld()"/>.</summary>
+    /// <summary>
+    /// Gets the positions of the nodes in the space of the character's root, in metres, as of the last <see cref="UpdateWorld()"/>.
+    /// </summary>
     public ReadOnlySpan<Vector3> WorldPositions => _worldPositions;
 
-    /// <summary>How the nodes are turned in the character's root, as of the last <see cref="UpdateWorld()"/>.</summary>
+    /// <summary>Gets the rotations of the nodes in the space of the character's root, as of the last <see cref="UpdateWorld()"/>.</summary>
     public ReadOnlySpan<Quaternion> WorldRotations => _worldRotations;
 
-    /// <summary>Whether the pose says how a node is turned: it is a bone with a source and a weight above zero. Others are to be left alone.</summary>
+    /// <summary>Determines whether the pose drives a node: a bone with a source and a weight above zero. Leave other nodes as they are.</summary>
     /// <param name="node">Index of a node.</param>
-    /// <returns>False before the first frame, too.</returns>
+    /// <returns>True if the pose drives the node. Always false before the first frame.</returns>
     public bool IsDriven(int node) => _driven[node];
 
-    /// <summary>Goes back to the rest pose, with no node driven.</summary>
+    /// <summary>Returns to the rest pose, with no driven nodes.</summary>
     public void Reset()
     {
         Rig.LocalRest.CopyTo(_local);
@@ -58,17 +60,17 @@ public sealed class RetargetedPose
         UpdateWorld();
     }
 
-    /// <summary>Computes where all nodes are: <see cref="WorldPositions"/> and <see cref="WorldRotations"/>.</summary>
+    /// <summary>Computes <see cref="WorldPositions"/> and <see cref="WorldRotations"/> of all nodes.</summary>
     public void UpdateWorld() =>
         Rig.ComputeWorld(_local, HipsLocalPosition, _worldPositions, _worldRotations, _matrices, 0, _local.Length);
 
-    /// <summary>The same for one node and all that hang from it; what it hangs from has to be up to date.</summary>
+    /// <summary>Computes the world positions and rotations of a node and its descendants. Those of its ancestors must be up to date.</summary>
     /// <param name="node">Index of a node.</param>
     public void UpdateWorld(int node) =>
         Rig.ComputeWorld(_local, HipsLocalPosition, _worldPositions, _worldRotations, _matrices, node, Rig.SubtreeEnd(node));
 
-    /// <summary>Turns a node so that it has a rotation in the character's root, and updates all that hang from it.</summary>
-    /// <param name="node">Index of a node whose parent's <see cref="WorldRotations"/> are up to date.</param>
+    /// <summary>Gives a node a rotation in the space of the character's root, and updates its descendants.</summary>
+    /// <param name="node">Index of a node. The <see cref="WorldRotations"/> of its parent must be up to date.</param>
     /// <param name="rotation">A unit quaternion.</param>
     public void SetWorldRotation(int node, Quaternion rotation)
     {
@@ -78,8 +80,8 @@ public sealed class RetargetedPose
         UpdateWorld(node);
     }
 
-    /// <summary>Moves the hips to a place in the character's root, and all that hang from them; where they are has to be up to date.</summary>
-    /// <param name="position">Metres.</param>
+    /// <summary>Moves the hips and their descendants. The world position of the hips must be up to date.</summary>
+    /// <param name="position">The position in the space of the character's root, in metres.</param>
     public void SetHipsWorldPosition(Vector3 position)
     {
         HipsLocalPosition = Rig.ToHipsParent(position);
@@ -107,7 +109,7 @@ public sealed class RetargetedPose
         _local[node] = Rig.LocalRest[node];
     }
 
-    // Normalised, and of both quaternions of the rotation the one nearer to what the node had.
+    // Normalises. Of the two quaternions of the rotation, it takes the one closer to the node's last value.
     private void SetLocalRotation(int node, Quaternion rotation)
     {
         float factor = 1 / rotation.Length();

@@ -4,10 +4,12 @@ using NeuronMocap.Skeleton;
 namespace NeuronMocap.Retargeting;
 
 /// <summary>
-/// Puts poses of the stream onto a character of any rest pose and any proportions. Each bone is turned in the world as the actor's bone is, away
-/// from its own rest rotation; the hips go the actor's way in the measure of the character's legs. docs/guide/retargeting.md says why.
-/// Allocates nothing for a frame. Not thread-safe: one thread at a time.
+/// Transfers poses of the stream to a character with any rest pose and any proportions.
 /// </summary>
+/// <remarks>
+/// Each bone turns away from its own rest rotation as the actor's bone does in the world. Hip motion is scaled by leg length. The page
+/// docs/guide/retargeting.md explains the method. Allocates nothing for a frame. Not thread-safe: use it on one thread at a time.
+/// </remarks>
 public sealed class Retargeter
 {
     private readonly Quaternion[] _turns = new Quaternion[BoneHierarchy.BoneCount];
@@ -15,10 +17,10 @@ public sealed class Retargeter
     private float _sourceHipsHeight;
     private float _naturalScale;
 
-    /// <summary>Connects an actor to a character.</summary>
+    /// <summary>Creates a retargeter from an actor to a character.</summary>
     /// <param name="rig">The character.</param>
-    /// <param name="body">The actor's body: its variant has to be that of the stream; its sizes give the measure of the ways.</param>
-    /// <param name="options">Null: everything as the actor does it.</param>
+    /// <param name="body">The actor's body. Its variant must match the stream. Its sizes determine the scale of root motion.</param>
+    /// <param name="options">The options. Null: the character follows the actor in everything.</param>
     public Retargeter(TargetRig rig, SkeletonBody body, RetargetOptions? options = null)
     {
         ArgumentNullException.ThrowIfNull(rig);
@@ -29,25 +31,25 @@ public sealed class Retargeter
         SetBody(body);
     }
 
-    /// <summary>The character.</summary>
+    /// <summary>Gets the character.</summary>
     public TargetRig Rig { get; }
 
-    /// <summary>The actor.</summary>
+    /// <summary>Gets the actor's body.</summary>
     public SkeletonBody Body { get; private set; }
 
-    /// <summary>Read for each frame.</summary>
+    /// <summary>Gets the options, which are read for each frame.</summary>
     public RetargetOptions Options { get; }
 
     /// <summary>
-    /// How far the character goes for one metre of the actor's: <see cref="RetargetOptions.Scale"/>, or else the ratio of the lengths of the legs,
-    /// where the rig has none that of the heights of the hips, and 1 where that is none either.
+    /// Gets how far the character moves for each metre of the actor: <see cref="RetargetOptions.Scale"/> if it is set. The default is the ratio of
+    /// leg lengths. If the rig has no complete leg, it is the ratio of hip heights. If the rig has no hip height either, it is 1.
     /// </summary>
     public float Scale => Options.Scale ?? _naturalScale;
 
-    /// <summary>How many frames were rejected.</summary>
+    /// <summary>Gets how many frames were rejected.</summary>
     public long RejectedCount { get; private set; }
 
-    /// <summary>Goes on with a body of other sizes, or of another variant.</summary>
+    /// <summary>Continues with a body of other sizes or of another variant.</summary>
     /// <param name="body">The actor's body.</param>
     public void SetBody(SkeletonBody body)
     {
@@ -66,21 +68,23 @@ public sealed class Retargeter
             : 1;
     }
 
-    /// <summary>Puts a pose onto the character.</summary>
+    /// <summary>Transfers a pose to the character.</summary>
     /// <param name="localPose">
-    /// 59 transforms relative to the parent, in <see cref="Bone"/> order; centimetres. Only the hips' position counts: the character keeps the lengths of
-    /// its own bones, with displacement or without.
+    /// 59 transforms relative to the parent, in <see cref="Bone"/> order, in centimetres. Of the positions, only that of the hips is used: with or
+    /// without displacement, the character keeps its own bone lengths.
     /// </param>
     /// <param name="result">Receives the pose. Unchanged when the frame is rejected.</param>
-    /// <param name="reference">What the hips are relative to: the stream's Reference node, which turns and moves the body as a whole; null: nothing.</param>
-    /// <returns>False when a number of the pose is infinite or none, or a rotation has no direction; counted by <see cref="RejectedCount"/>.</returns>
-    /// <exception cref="ArgumentException">There are fewer than 59 transforms, or the result is of another rig.</exception>
+    /// <param name="reference">The parent of the hips: the stream's Reference node, which turns and moves the whole body. Null: none.</param>
+    /// <returns>
+    /// False if a value of the pose is not finite or a rotation has length zero. <see cref="RejectedCount"/> counts such frames.
+    /// </returns>
+    /// <exception cref="ArgumentException">There are fewer than 59 transforms, or the result belongs to another rig.</exception>
     public bool TryRetarget(ReadOnlySpan<BoneTransform> localPose, RetargetedPose result, BoneTransform? reference = null)
     {
         ArgumentNullException.ThrowIfNull(result);
         ForwardKinematics.CheckPose(localPose, nameof(localPose));
         if (result.Rig != Rig)
-            throw new ArgumentException("The result is a pose of another rig.", nameof(result));
+            throw new ArgumentException("The result belongs to another rig.", nameof(result));
 
         BoneTransform hips = reference is { } outer ? outer.Apply(localPose[0]) : localPose[0];
         if (!TryTurn(localPose, hips))
@@ -98,7 +102,7 @@ public sealed class Retargeter
 
     private static float Length(SkeletonBody body, Bone bone) => body.GetOffset(bone).Length();
 
-    // How every bone of the stream is turned in the world, away from its rest rotation, which is none; in Unity's axes.
+    // The world rotation of every bone of the stream in Unity's axes. The rest rotation is the identity, so this is also the turn away from rest.
     private bool TryTurn(ReadOnlySpan<BoneTransform> localPose, in BoneTransform hips)
     {
         ReadOnlySpan<sbyte> parents = BoneHierarchy.ParentIndices(Body.Variant);
@@ -150,7 +154,7 @@ public sealed class Retargeter
         ? Options.Weights.OfHumanoid(link.Part, link.Bone)
         : Options.Weights.OfBone(link.Part, link.Bone);
 
-    // A part of a turn, the shorter way round.
+    // A fraction of a rotation, along the shorter way.
     private static Quaternion Part(Quaternion turn, float part)
     {
         if (turn.W < 0)

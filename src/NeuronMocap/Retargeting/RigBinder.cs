@@ -3,22 +3,29 @@ using NeuronMocap.Skeleton;
 namespace NeuronMocap.Retargeting;
 
 /// <summary>
-/// Finds the nodes of a rig by their names. For each bone, in this order: the name that was given for it; prefix, the bone's name in BVH files and
-/// suffix, letter by letter; the same without regard to case and separators, with the side as a word or a letter in front or behind, and with the
-/// names that are common elsewhere, such as "thigh" or "upper_leg" (table in docs/guide/retargeting.md). Thread-safe.
+/// Finds the nodes of a rig by their names. Thread-safe.
 /// </summary>
+/// <remarks>
+/// For each bone, it tries in this order:
+/// <list type="number">
+/// <item><description>The name given for the bone.</description></item>
+/// <item><description>The exact name: prefix, the bone's name in BVH files, suffix.</description></item>
+/// <item><description>The same name regardless of case and separators. The side may be a word or a letter, in front or behind.</description></item>
+/// <item><description>Names common in other rigs, such as "thigh" or "upper_leg" (table in docs/guide/retargeting.md).</description></item>
+/// </list>
+/// </remarks>
 public static class RigBinder
 {
     /// <summary>Finds the nodes of the 59 bones.</summary>
     /// <param name="nodeNames">The names of all nodes, parents first.</param>
     /// <param name="prefix">
-    /// What the names begin with, as in "Robot_" or "mixamorig:". Null: whatever stands in front of the name of the hips; when several nodes could be
-    /// the hips, the prefix with which most bones are found.
+    /// What the names begin with, such as "Robot_" or "mixamorig:". Null: the text in front of the name of the hips. If several nodes could be the
+    /// hips, the prefix that finds the most bones.
     /// </param>
     /// <param name="suffix">What the names end with.</param>
     /// <param name="variant">How the stream divides spine and neck.</param>
-    /// <param name="given">Whole names of nodes, for the bones whose names follow no rule. Such a bone is looked for under no other name.</param>
-    /// <returns>What was found, and what was not.</returns>
+    /// <param name="given">Full node names, for bones whose names follow no rule. These bones are searched for under no other name.</param>
+    /// <returns>The bones that were found, and those that were not.</returns>
     public static RigBinding Bind(
         IReadOnlyList<string> nodeNames,
         string? prefix = null,
@@ -74,7 +81,7 @@ public static class RigBinder
         return found;
     }
 
-    // The shortest first; the same prefix once.
+    // The shortest prefixes first, each only once.
     private static IEnumerable<string> GuessPrefixes(IReadOnlyList<string> names, string suffix)
     {
         HashSet<string> prefixes = new(StringComparer.Ordinal);
@@ -86,7 +93,7 @@ public static class RigBinder
                 if (!stripped.EndsWith(hips, StringComparison.OrdinalIgnoreCase))
                     continue;
 
-                // "J_Bip_C_Hips" stands beside "J_Bip_L_Hand".
+                // "J_Bip_C_Hips" goes with "J_Bip_L_Hand".
                 string prefix = stripped[..^hips.Length];
                 prefixes.Add(prefix);
                 if (prefix.EndsWith("C_", StringComparison.Ordinal))

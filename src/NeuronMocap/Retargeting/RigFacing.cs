@@ -2,10 +2,10 @@ using System.Numerics;
 
 namespace NeuronMocap.Retargeting;
 
-// How a resting character is turned in its root, to quarter turns: which way its left side and its head are.
+// The orientation of a resting character in its root, to quarter turns, from the directions of its left side and its head.
 internal static class RigFacing
 {
-    // Cosine of 30 degrees: a rest pose further off from every axis says nothing.
+    // The cosine of 30 degrees. A rest pose further away from every axis has no clear direction.
     private const float Clear = 0.866f;
 
     private static ReadOnlySpan<HumanoidBone> LeftSide =>

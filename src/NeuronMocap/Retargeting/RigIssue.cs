@@ -1,24 +1,26 @@
 namespace NeuronMocap.Retargeting;
 
-/// <summary>Something about a rig that retargeting cannot or should not live with, as <see cref="RigValidator"/> found it.</summary>
-/// <param name="Fault">What kind of thing.</param>
-/// <param name="Severity">Whether the figure can move nevertheless.</param>
-/// <param name="Bone">The bone, or the first of the limb; null when it is the rig as a whole.</param>
-/// <param name="Degrees">How far off, for faults that are angles; otherwise 0.</param>
-/// <param name="Message">For whoever made the rig: what is wrong, what will be seen of it, and what to do. One or two English sentences.</param>
-/// <param name="CanFix">Whether <see cref="TPose.Enforce"/> makes it right.</param>
+/// <summary>A problem of a rig that affects retargeting, found by <see cref="RigValidator"/>.</summary>
+/// <param name="Fault">The kind of problem.</param>
+/// <param name="Severity">Whether the character can move nevertheless.</param>
+/// <param name="Bone">The bone, or the first bone of the limb. Null for the rig as a whole.</param>
+/// <param name="Degrees">The deviation in degrees, for faults that are angles. Otherwise 0.</param>
+/// <param name="Message">
+/// A message for the author of the rig: what is wrong, its visible effect, and the remedy. One or two English sentences.
+/// </param>
+/// <param name="CanFix">Whether <see cref="TPose.Enforce"/> corrects it.</param>
 public sealed record RigIssue(RigFault Fault, RigSeverity Severity, HumanoidBone? Bone, float Degrees, string Message, bool CanFix);
 
-/// <summary>How much a <see cref="RigIssue"/> matters.</summary>
+/// <summary>Specifies how much a <see cref="RigIssue"/> matters.</summary>
 public enum RigSeverity
 {
-    /// <summary>Works; good to know when something looks odd.</summary>
+    /// <summary>The rig works. The note may explain an odd look.</summary>
     Note,
 
-    /// <summary>The figure moves, and not as it should.</summary>
+    /// <summary>The character moves, but not correctly.</summary>
     Warning,
 
-    /// <summary>The figure cannot move, or Unity makes no Humanoid of it.</summary>
+    /// <summary>The character cannot move, or Unity cannot create a Humanoid avatar from the rig.</summary>
     Error,
 }
 
@@ -31,39 +33,39 @@ public enum RigFault
     /// <summary>Two bones have the same node.</summary>
     DuplicateMapping,
 
-    /// <summary>A bone's node does not hang, directly or not, from the node of the bone that it belongs to.</summary>
+    /// <summary>The node of a bone is not a descendant of the node of its parent bone.</summary>
     InvalidHierarchy,
 
-    /// <summary>Two nodes have the same name, which Unity's avatar builder cannot tell apart.</summary>
+    /// <summary>Two nodes have the same name. Unity's avatar builder cannot distinguish them.</summary>
     DuplicateName,
 
     /// <summary>A position, rotation or scale is not a finite number, or a rotation or scale is zero.</summary>
     InvalidTransform,
 
-    /// <summary>A limb's bones of the left are on the right and the other way round.</summary>
+    /// <summary>The left and right bones of a limb are swapped.</summary>
     SidesSwapped,
 
-    /// <summary>The figure does not stand upright.</summary>
+    /// <summary>The character does not stand upright.</summary>
     NotUpright,
 
-    /// <summary>The figure does not look along +Z.</summary>
+    /// <summary>The character does not face +Z.</summary>
     NotFacingForward,
 
-    /// <summary>A limb does not point where it does in a T-pose.</summary>
+    /// <summary>A limb does not point in its T-pose direction.</summary>
     NotInTPose,
 
-    /// <summary>A hand's palm does not look down.</summary>
+    /// <summary>The palm of a hand does not face down.</summary>
     PalmNotDown,
 
-    /// <summary>A joint lies on the next one.</summary>
+    /// <summary>A joint is at the same place as the next one.</summary>
     ZeroLengthBone,
 
-    /// <summary>The node above the hips is turned, as many exporters leave it. Retargeting takes care of it.</summary>
+    /// <summary>The node above the hips is rotated, as many exporters leave it. Retargeting handles it.</summary>
     RootRotated,
 
     /// <summary>A node above the hips or one of the bones has a scale that is not 1.</summary>
     Scaled,
 
-    /// <summary>The soles are not at the height of the rig's origin, where the ground is.</summary>
+    /// <summary>The soles are not at the height of the rig's origin, which is the ground.</summary>
     NotOnGround,
 }

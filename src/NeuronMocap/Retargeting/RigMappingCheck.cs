@@ -1,6 +1,6 @@
 namespace NeuronMocap.Retargeting;
 
-// Whether the nodes are sound and the right ones: all that can be said without a rig.
+// Checks that the nodes are valid and mapped correctly: everything that can be checked without a rig.
 internal sealed class RigMappingCheck
 {
     private readonly RigNode[] _nodes;
@@ -10,20 +10,20 @@ internal sealed class RigMappingCheck
     public RigMappingCheck(ReadOnlySpan<RigNode> nodes, ReadOnlySpan<int> nodeByBone)
     {
         if (nodeByBone.Length != HumanoidBones.Count)
-            throw new ArgumentException("There is an index for each of the 55 bones.", nameof(nodeByBone));
+            throw new ArgumentException("There must be an index for each of the 55 bones.", nameof(nodeByBone));
 
         _nodes = nodes.ToArray();
         _nodeOf = nodeByBone.ToArray();
         if (Array.Exists(_nodeOf, node => node < -1 || node >= _nodes.Length))
-            throw new ArgumentException("An index is not that of a node.", nameof(nodeByBone));
+            throw new ArgumentException("An index does not belong to a node.", nameof(nodeByBone));
         for (int i = 0; i < _nodes.Length; i++)
         {
             if (_nodes[i].Parent < -1 || _nodes[i].Parent >= i)
-                throw new ArgumentException($"Node {i}, {_nodes[i].Name}, stands before its parent.", nameof(nodes));
+                throw new ArgumentException($"Node {i}, {_nodes[i].Name}, comes before its parent.", nameof(nodes));
         }
     }
 
-    // Whether the rest pose can be looked at.
+    // Whether the rest pose can be examined.
     public bool IsUsable { get; private set; } = true;
 
     public List<RigIssue> Examine()
@@ -70,7 +70,7 @@ internal sealed class RigMappingCheck
             if (HumanoidBones.IsRequired(bone))
             {
                 IsUsable &= bone != HumanoidBone.Hips;
-                Add(RigFault.MissingBone, RigSeverity.Error, bone, $"{name} is not mapped, and without it Unity makes no Humanoid. Map it in the avatar's configuration.");
+                Add(RigFault.MissingBone, RigSeverity.Error, bone, $"{name} is not mapped. Unity cannot create a Humanoid without it. Map it in the avatar's configuration.");
             }
 
             return;
@@ -93,13 +93,13 @@ internal sealed class RigMappingCheck
         if (SideOf(bone) is { } side && side != BodySide.None && NodeName.Read(_nodes[node].Name).Side is not BodySide.None and var said && said != side)
         {
             Add(RigFault.SidesSwapped, RigSeverity.Error, bone,
-                $"{name} is mapped to {_nodes[node].Name}, which by its name is on the other side. Exchange left and right in the mapping.");
+                $"{name} is mapped to {_nodes[node].Name}, whose name says that it is on the other side. Swap left and right in the mapping.");
         }
     }
 
     private static BodySide? SideOf(HumanoidBone bone) => NodeName.Read(HumanoidBones.GetName(bone)).Side;
 
-    // The nearest one that is mapped.
+    // The closest ancestor that is mapped.
     private HumanoidBone? AncestorOf(HumanoidBone bone)
     {
         HumanoidBone? ancestor = HumanoidBones.GetParent(bone);

@@ -3,12 +3,12 @@ using System.Numerics;
 
 namespace NeuronMocap.Retargeting;
 
-// What can be seen of a rig at rest.
+// Checks the rest pose of a rig.
 internal static class RigPoseCheck
 {
     private const float NoLength = 1e-3f;
 
-    // The height of an ankle above its sole, at the most, as a part of the leg; and how far a sole may be in the ground.
+    // The greatest height of an ankle above its sole, as a fraction of the leg; and how far a sole may be below the ground.
     private const float HighestAnkle = 0.25f;
     private const float DeepestSole = 0.05f;
 
@@ -17,7 +17,7 @@ internal static class RigPoseCheck
         foreach (RigIssue issue in ExamineAbove(rig).Concat(ExamineLengths(rig)))
             yield return issue;
 
-        // Of a figure whose sides are exchanged nothing else is to be said: every angle would be wrong.
+        // If the sides are swapped, all angles are wrong, so nothing else is reported.
         RigIssue[] swapped = [.. ExamineSides(rig)];
         foreach (RigIssue issue in swapped.Length > 0 ? swapped : ExaminePose(rig))
             yield return issue;
@@ -33,17 +33,17 @@ internal static class RigPoseCheck
             string degrees = correction.Degrees.ToString("0", CultureInfo.InvariantCulture);
             yield return new RigIssue(correction.Fault, RigSeverity.Warning, correction.Bone, correction.Degrees, correction.Fault switch
             {
-                RigFault.NotUpright => $"At rest the figure leans or lies, {degrees} degrees from upright. It will move as if that were standing.",
-                RigFault.NotFacingForward => $"At rest the figure looks {degrees} degrees away from +Z. Unity's Humanoids look along +Z.",
-                RigFault.PalmNotDown => $"At rest the palm of the {name} looks {degrees} degrees away from the ground. The hand will be twisted by as much.",
-                _ => $"At rest {name} is {degrees} degrees away from a T-pose. It will be off by as much in every pose.",
+                RigFault.NotUpright => $"At rest the figure is {degrees} degrees from upright. It will move as if it stood upright in that pose.",
+                RigFault.NotFacingForward => $"At rest the figure faces {degrees} degrees away from +Z. Unity's Humanoids face +Z.",
+                RigFault.PalmNotDown => $"At rest the palm of the {name} faces {degrees} degrees away from the ground. The hand will be twisted by this angle.",
+                _ => $"At rest {name} is {degrees} degrees away from a T-pose. It will be off by this angle in every pose.",
             }, CanFix: true);
         }
 
         if (walk.Corrections.All(static correction => correction.Fault != RigFault.NotUpright) && IsOffTheGround(rig))
         {
             yield return new RigIssue(RigFault.NotOnGround, RigSeverity.Warning, null, 0,
-                "At rest the feet are not at the height of the rig's origin, where its ground is. Feet will be planted too high or too low: move the origin between the feet, or let the ground be learnt.",
+                "At rest the feet are not at the height of the rig's origin, which is its ground. Feet will be planted too high or too low. Move the origin between the feet, or learn the ground height from the motion.",
                 CanFix: false);
         }
     }
@@ -57,7 +57,7 @@ internal static class RigPoseCheck
             if (degrees > 1)
             {
                 yield return new RigIssue(RigFault.RootRotated, RigSeverity.Note, null, degrees,
-                    $"{nodes[node].Name}, above the hips, is turned by {degrees.ToString("0", CultureInfo.InvariantCulture)} degrees. Retargeting takes care of it.",
+                    $"{nodes[node].Name}, above the hips, is rotated by {degrees.ToString("0", CultureInfo.InvariantCulture)} degrees. Retargeting handles it.",
                     CanFix: false);
             }
         }
@@ -67,8 +67,8 @@ internal static class RigPoseCheck
         {
             string which = scaled.Length > 3 ? $"{scaled[0]} and {scaled.Length - 1} others" : string.Join(", ", scaled);
             yield return rig.IsSheared
-                ? new RigIssue(RigFault.Scaled, RigSeverity.Warning, null, 0, $"The scale of {which} differs from axis to axis, so that the figure is sheared as it turns. Apply the scale where the rig was made.", CanFix: false)
-                : new RigIssue(RigFault.Scaled, RigSeverity.Note, null, 0, $"The scale of {which} is not 1. Retargeting takes care of it.", CanFix: false);
+                ? new RigIssue(RigFault.Scaled, RigSeverity.Warning, null, 0, $"The scale of {which} differs between axes, so the figure is sheared as it turns. Apply the scale in the program that made the rig.", CanFix: false)
+                : new RigIssue(RigFault.Scaled, RigSeverity.Note, null, 0, $"The scale of {which} is not 1. Retargeting handles it.", CanFix: false);
         }
     }
 
@@ -102,7 +102,7 @@ internal static class RigPoseCheck
         }
     }
 
-    // Which way the left and right of hips and shoulders make the figure look has to be the way that its feet point.
+    // The direction that the left and right sides of hips and shoulders imply must be the direction that the feet point in.
     private static IEnumerable<RigIssue> ExamineSides(TargetRig rig)
     {
         Vector3 up = Way(rig, HumanoidBone.Hips, HumanoidBone.Head) ?? Vector3.UnitY;
@@ -123,7 +123,7 @@ internal static class RigPoseCheck
             _ => "Either the arms or the legs",
         };
         yield return new RigIssue(RigFault.SidesSwapped, RigSeverity.Error, arms < 0 && legs >= 0 ? HumanoidBone.LeftUpperArm : HumanoidBone.LeftUpperLeg, 0,
-            $"{what} are on the wrong sides: what is mapped as left is on the right. Exchange left and right in the mapping.", CanFix: false);
+            $"{what} are on the wrong sides: bones mapped as left are on the right. Swap left and right in the mapping.", CanFix: false);
     }
 
     private static bool IsOffTheGround(TargetRig rig)

@@ -1,16 +1,18 @@
 namespace NeuronMocap.Retargeting;
 
 /// <summary>
-/// Says what is wrong with a rig, in words for whoever made it: what is missing or mapped to the wrong node, and how far its rest pose is from a
-/// <see cref="TPose"/>. A rig without issues is retargeted as the actor moves. Thread-safe.
+/// Reports what is wrong with a rig, in messages for its author: bones that are missing or mapped to the wrong node, and deviations of the rest pose
+/// from a <see cref="TPose"/>. A rig without issues moves as the actor does. Thread-safe.
 /// </summary>
 public static class RigValidator
 {
-    /// <summary>Examines a Humanoid rig that may have any fault.</summary>
+    /// <summary>Examines a Humanoid rig, which may have any fault.</summary>
     /// <param name="nodes">Its transforms at rest, as for <see cref="TargetRig.CreateHumanoid"/>.</param>
-    /// <param name="nodeByBone">For each of the 55 bones the index of its node, or -1.</param>
-    /// <returns>What was found, the worst first. What the rest pose looks like is only said once the bones are right.</returns>
-    /// <exception cref="ArgumentException">There are fewer than 55 indices, or one that is not that of a node; a parent stands behind its child.</exception>
+    /// <param name="nodeByBone">The index of the node for each of the 55 bones, or -1.</param>
+    /// <returns>The issues, the most severe first. The rest pose is examined only if the bones are correct.</returns>
+    /// <exception cref="ArgumentException">
+    /// There are fewer than 55 indices, an index is not that of a node, or a parent comes after its child.
+    /// </exception>
     public static IReadOnlyList<RigIssue> Validate(ReadOnlySpan<RigNode> nodes, ReadOnlySpan<int> nodeByBone)
     {
         var mapping = new RigMappingCheck(nodes, nodeByBone);
@@ -23,7 +25,7 @@ public static class RigValidator
 
     /// <summary>Examines the rest pose of a rig, Humanoid or generic.</summary>
     /// <param name="rig">The rig.</param>
-    /// <returns>What was found, the worst first.</returns>
+    /// <returns>The issues, the most severe first.</returns>
     public static IReadOnlyList<RigIssue> Validate(TargetRig rig)
     {
         ArgumentNullException.ThrowIfNull(rig);

@@ -1,14 +1,14 @@
 namespace NeuronMocap.Retargeting;
 
-/// <summary>Which of the actor's ways the character goes too.</summary>
+/// <summary>Specifies which part of the actor's root motion the character follows.</summary>
 public enum RootMotion
 {
-    /// <summary>All: over the ground, up and down.</summary>
+    /// <summary>All of it: horizontal and vertical motion.</summary>
     Full = 0,
 
-    /// <summary>Over the ground only; the hips stay as high as at rest.</summary>
+    /// <summary>Horizontal motion only. The hips stay at their rest height.</summary>
     Horizontal,
 
-    /// <summary>Up and down only: the character crouches and jumps where it stands.</summary>
+    /// <summary>Vertical motion only. The character crouches and jumps in place.</summary>
     InPlace,
 }

@@ -1,9 +1,9 @@
 namespace NeuronMocap.Retargeting;
 
-// The height that the soles of a character come down to: it follows them down at once, and up as fast as one climbs stairs.
+// The height that the soles of a character come down to. It falls with the soles at once, and rises as slowly as people climb stairs.
 internal sealed class SoleHeightFilter
 {
-    // Metres per second.
+    // In metres per second.
     private const float MaxRise = 0.3f;
 
     private float _height = float.NaN;

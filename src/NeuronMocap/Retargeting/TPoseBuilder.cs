@@ -3,7 +3,7 @@ using NeuronMocap.Skeleton;
 
 namespace NeuronMocap.Retargeting;
 
-// Stands a rig into a T-pose, from the hips outwards, and notes what it had to turn: each bone as it is once those above it are right.
+// Puts a rig into a T-pose, from the hips outwards, and records each correction. Each bone is measured after the bones above it are corrected.
 internal sealed class TPoseBuilder
 {
     private const float UsualSlope = 30;
@@ -72,7 +72,7 @@ internal sealed class TPoseBuilder
     private float LowestAnkle() =>
         Math.Min(PositionOf(HumanoidBone.LeftFoot)?.Y ?? float.PositiveInfinity, PositionOf(HumanoidBone.RightFoot)?.Y ?? float.PositiveInfinity);
 
-    // The ankles as high as before, if that was the height of one that stands.
+    // Keeps the ankles at their height if it is a plausible height for standing.
     private void StandOn(float ankle)
     {
         float leg = _rig.LegLength;
@@ -83,7 +83,7 @@ internal sealed class TPoseBuilder
             _pose.SetHipsWorldPosition(_pose.WorldPositions[_rig.HipsNode] + (Vector3.UnitY * (ankle - now)));
     }
 
-    // Upright first, then to the front.
+    // Stands the body upright first, then turns it to the front.
     private void TurnBody()
     {
         Vector3? up = Way(HumanoidBone.Hips, HumanoidBone.Head);
@@ -120,7 +120,7 @@ internal sealed class TPoseBuilder
         Turn(_rig.GetNode(segment.Bone), TwoBoneIk.ShortestTurn(way, segment.Direction));
     }
 
-    // Of a hand, towards the middle of its knuckles.
+    // The direction of a segment. For a hand, the direction to the middle of its knuckles.
     private Vector3? WayOf(TPoseSegment segment)
     {
         if (segment.Next is { } next)
@@ -132,8 +132,8 @@ internal sealed class TPoseBuilder
         return sum.Length() > 0.5f ? Vector3.Normalize(sum) : null;
     }
 
-    // A foot that stood stands as before, whatever became of the leg; one that hung from a lifted leg goes with it. Which of the two it did, its slope says.
-    // Either way it points ahead in the end.
+    // A foot that stood keeps its rotation, whatever happened to the leg. A foot that hung from a lifted leg turns with the leg. The slope tells
+    // which of the two applies. In both cases the foot points ahead in the end.
     private void SetFoot(TPoseSegment segment, Quaternion rotation)
     {
         int foot = _rig.GetNode(segment.Bone);
@@ -158,11 +158,11 @@ internal sealed class TPoseBuilder
         Turn(foot, Quaternion.CreateFromAxisAngle(Vector3.UnitY, -heading));
     }
 
-    // In degrees, from the way that ankle and toes of a foot on the ground lie.
+    // In degrees, from the slope between ankle and toes of a foot on the ground.
     private float SlopeFault(TPoseSegment foot) =>
         WayOf(foot) is { } way ? Math.Abs((MathF.Asin(Math.Clamp(-way.Y, -1, 1)) * (180 / MathF.PI)) - UsualSlope) : 0;
 
-    // The little finger is behind the index finger when the palm looks down.
+    // If the palm faces down, the little finger is behind the index finger.
     private void TurnPalm(TPoseSegment hand)
     {
         if (Way(hand.Knuckles[0], hand.Knuckles[^1]) is not { } across)
@@ -184,5 +184,5 @@ internal sealed class TPoseBuilder
     }
 }
 
-// What was turned, and by how much.
+// A correction and its angle.
 internal readonly record struct TPoseCorrection(RigFault Fault, HumanoidBone Bone, float Degrees);

@@ -2,11 +2,11 @@ using System.Numerics;
 
 namespace NeuronMocap.Retargeting;
 
-// Where a bone points to in a T-pose, in Unity's axes: left is -X. Next is the joint where it ends; of a hand its knuckles say it, from the index
-// finger to the little one.
+// The direction of a bone in a T-pose, in Unity's axes: left is -X. Next is the joint at its end. A hand has knuckles instead, from the index finger
+// to the little finger.
 internal sealed record TPoseSegment(HumanoidBone Bone, HumanoidBone? Next, Vector3 Direction, float Tolerance)
 {
-    // In degrees. Arms and legs within it look straight; hands, fingers and feet vary from rig to rig.
+    // Tolerances in degrees. Within them, arms and legs look straight. Hands, fingers and feet vary from rig to rig.
     public const float Straight = 10;
     public const float Palm = 35;
     private const float Loose = 25;
@@ -27,7 +27,7 @@ internal sealed record TPoseSegment(HumanoidBone Bone, HumanoidBone? Next, Vecto
         yield return new(Of(HumanoidBone.LeftUpperArm), Of(HumanoidBone.LeftLowerArm), outwards, Straight);
         yield return new(Of(HumanoidBone.LeftLowerArm), Of(HumanoidBone.LeftHand), outwards, Straight);
 
-        // All but the thumb, whose rest pose nobody agrees on.
+        // All fingers except the thumb: rigs differ in the rest pose of the thumb.
         HumanoidBone index = right == 0 ? HumanoidBone.LeftIndexProximal : HumanoidBone.RightIndexProximal;
         yield return new(Of(HumanoidBone.LeftHand), null, outwards, Loose) { Knuckles = [index, index + 3, index + 6, index + 9] };
         for (int finger = 0; finger < 4; finger++)

@@ -2,9 +2,9 @@ using System.Numerics;
 
 namespace NeuronMocap.Retargeting;
 
-// From local values to the character's root. A node's matrix is its rotation times its scale as long as every scale that others hang from is
-// the same along all axes, but for signs; the product of all scales above is then a constant. Other scales shear: there places go through
-// matrices, and rotations are, as in Unity, the product of the rotations.
+// Conversion from local values to the space of the character's root. A node's matrix is its rotation times its scale if every scale above other nodes
+// is uniform except for signs. The product of all scales above is then a constant. Other scales shear. Positions of a sheared rig go through
+// matrices; rotations are, as in Unity, the product of the rotations.
 public sealed partial class TargetRig
 {
     private readonly Quaternion[] _localRest;
@@ -15,17 +15,17 @@ public sealed partial class TargetRig
     private readonly bool[] _isBelowHips;
     private readonly Matrix4x4 _hipsParentBack;
 
-    /// <summary>Whether scales that differ from axis to axis turn with the bones below them, so that the character is sheared.</summary>
+    /// <summary>Gets whether the character is sheared: non-uniform scales turn with the bones below them.</summary>
     public bool IsSheared { get; }
 
     internal ReadOnlySpan<Quaternion> LocalRest => _localRest;
 
     internal Matrix4x4[]? RestMatrices { get; }
 
-    // Behind the last node that hangs from this one.
+    // The index after the last descendant of a node.
     internal int SubtreeEnd(int node) => _subtreeEnds[node];
 
-    // Also true of the hips.
+    // Also true for the hips.
     internal bool IsBelowHips(int node) => _isBelowHips[node];
 
     internal Vector3 HandednessAt(int node) => _handedness[node];
@@ -68,7 +68,7 @@ public sealed partial class TargetRig
         }
     }
 
-    // Whether the rig is sheared.
+    // Returns whether the rig is sheared.
     private bool MeasureScales()
     {
         bool sheared = false;

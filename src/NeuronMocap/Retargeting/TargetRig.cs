@@ -4,9 +4,12 @@ using NeuronMocap.Skeleton;
 namespace NeuronMocap.Retargeting;
 
 /// <summary>
-/// A character as retargeting sees it: its transforms at rest, and which of them are bones. The space of everything here is the character's
-/// root (of a Humanoid: the transform that has the Animator), whatever place, rotation and scale that has. Immutable; thread-safe.
+/// A character as retargeting sees it: its transforms at rest, and the bones among them. Immutable and thread-safe.
 /// </summary>
+/// <remarks>
+/// All values are in the space of the character's root, whatever its position, rotation and scale. The root of a Humanoid is the transform with the
+/// Animator.
+/// </remarks>
 public sealed partial class TargetRig
 {
     private const int None = -1;
@@ -47,16 +50,16 @@ public sealed partial class TargetRig
         HipsHeight = Vector3.Dot(_restPositions[hips], Up);
     }
 
-    /// <summary>The transforms, parents before their children.</summary>
+    /// <summary>Gets the transforms, parents before their children.</summary>
     public ReadOnlySpan<RigNode> Nodes => _nodes;
 
-    /// <summary>Whether the bones are Humanoid bones, else those of the stream.</summary>
+    /// <summary>Gets whether the bones are Humanoid bones. Otherwise they are bones of the stream.</summary>
     public bool IsHumanoid => _nodeOfBone.Length == 0;
 
-    /// <summary>The node of the hips, the only one that is moved and not only turned.</summary>
+    /// <summary>Gets the node of the hips, the only node that moves as well as turns.</summary>
     public int HipsNode { get; }
 
-    /// <summary>The Humanoid bones that have a node, by <see cref="GetNode(HumanoidBone)"/>.</summary>
+    /// <summary>Gets the Humanoid bones that have a node, according to <see cref="GetNode(HumanoidBone)"/>.</summary>
     public HumanoidBoneSet Bones
     {
         get
@@ -72,34 +75,36 @@ public sealed partial class TargetRig
         }
     }
 
-    /// <summary>How the resting character is turned in its root: identity when it looks along Z, its head up along Y.</summary>
+    /// <summary>Gets the orientation of the resting character in its root: identity if it faces Z with its head up along Y.</summary>
     public Quaternion Facing { get; }
 
-    /// <summary>The direction of the resting character's height, in its root.</summary>
+    /// <summary>Gets the direction of the resting character's height, in its root.</summary>
     public Vector3 Up { get; }
 
-    /// <summary>From the joint of the thigh along the leg to that of the foot, mean of both legs; metres. 0 when no leg is complete.</summary>
+    /// <summary>
+    /// Gets the length from the joint of the thigh along the leg to the joint of the foot: the mean of both legs, in metres. 0 if no leg is complete.
+    /// </summary>
     public float LegLength { get; }
 
-    /// <summary>How high the resting hips are above the root; metres.</summary>
+    /// <summary>Gets the height of the resting hips above the root, in metres.</summary>
     public float HipsHeight { get; }
 
-    /// <summary>Where the nodes are at rest; metres, in the character's root.</summary>
+    /// <summary>Gets the rest positions of the nodes, in metres, in the space of the character's root.</summary>
     public ReadOnlySpan<Vector3> RestPositions => _restPositions;
 
-    /// <summary>How the nodes are turned at rest, in the character's root.</summary>
+    /// <summary>Gets the rest rotations of the nodes, in the space of the character's root.</summary>
     public ReadOnlySpan<Quaternion> RestRotations => _restRotations;
 
-    /// <summary>A Humanoid character.</summary>
-    /// <param name="nodes">Its transforms at rest: at least all bones and everything that they hang from, parents before their children.</param>
-    /// <param name="nodeByBone">For each of the 55 bones the index of its node, or -1.</param>
+    /// <summary>Creates a Humanoid character.</summary>
+    /// <param name="nodes">Its transforms at rest, parents before their children: at least all bones and all their ancestors.</param>
+    /// <param name="nodeByBone">The index of the node for each of the 55 bones, or -1.</param>
     /// <param name="facing">
-    /// How the resting character is turned in its root; null: found from the places of head, arms and legs, to quarter turns.
+    /// The orientation of the resting character in its root. Null: determined from the positions of head, arms and legs, to quarter turns.
     /// </param>
     /// <returns>The rig.</returns>
     /// <exception cref="ArgumentException">
-    /// A node stands before its parent, has a value that is no number or a rotation of length zero; an index is not that of a node, or two bones have
-    /// the same node; the hips are missing, hang from another bone or from a scale of zero.
+    /// A node comes before its parent, has a value that is not a number, or has a rotation of length zero. An index is not that of a node, or two
+    /// bones have the same node. The hips are missing, are below another bone, or are below a scale of zero.
     /// </exception>
     public static TargetRig CreateHumanoid(ReadOnlySpan<RigNode> nodes, ReadOnlySpan<int> nodeByBone, Quaternion? facing = null)
     {
@@ -107,9 +112,9 @@ public sealed partial class TargetRig
         return new TargetRig(nodes, map, [], map[(int)HumanoidBone.Hips], facing);
     }
 
-    /// <summary>A character whose transforms follow the bones of the stream one by one.</summary>
+    /// <summary>Creates a generic character, whose transforms follow the bones of the stream one by one.</summary>
     /// <param name="nodes">Its transforms at rest, parents before their children.</param>
-    /// <param name="nodeByBone">For each of the 59 bones of the stream the index of its node, or -1.</param>
+    /// <param name="nodeByBone">The index of the node for each of the 59 bones of the stream, or -1.</param>
     /// <param name="facing">As for <see cref="CreateHumanoid"/>.</param>
     /// <returns>The rig.</returns>
     /// <exception cref="ArgumentException">As for <see cref="CreateHumanoid"/>.</exception>
@@ -127,30 +132,30 @@ public sealed partial class TargetRig
         return new TargetRig(nodes, humanoid, map, map[(int)Bone.Hips], facing);
     }
 
-    /// <summary>The node of a Humanoid bone.</summary>
-    /// <param name="bone">A bone.</param>
-    /// <returns>Its index, or -1. Of a generic rig: the node of the stream's bone in the same place.</returns>
-    /// <exception cref="ArgumentOutOfRangeException">There is no such bone.</exception>
+    /// <summary>Gets the node of a Humanoid bone.</summary>
+    /// <param name="bone">The bone.</param>
+    /// <returns>Its index, or -1. For a generic rig, the node of the corresponding bone of the stream.</returns>
+    /// <exception cref="ArgumentOutOfRangeException">The bone is not defined.</exception>
     public int GetNode(HumanoidBone bone) => _nodeOf[HumanoidBones.CheckedIndex(bone)];
 
-    /// <summary>The node of a bone of the stream.</summary>
-    /// <param name="bone">A bone.</param>
-    /// <returns>Its index, or -1; -1 for every bone of a Humanoid rig.</returns>
-    /// <exception cref="ArgumentOutOfRangeException">There is no such bone.</exception>
+    /// <summary>Gets the node of a bone of the stream.</summary>
+    /// <param name="bone">The bone.</param>
+    /// <returns>Its index, or -1. Always -1 for a Humanoid rig.</returns>
+    /// <exception cref="ArgumentOutOfRangeException">The bone is not defined.</exception>
     public int GetNode(Bone bone)
     {
         int index = BoneHierarchy.CheckedIndex(bone);
         return IsHumanoid ? None : _nodeOfBone[index];
     }
 
-    /// <summary>Which Humanoid bone a node is.</summary>
+    /// <summary>Gets the Humanoid bone of a node.</summary>
     /// <param name="node">Index of a node.</param>
-    /// <returns>Null when it is none, and for generic rigs.</returns>
+    /// <returns>The bone. Null if the node is not a bone, and for generic rigs.</returns>
     public HumanoidBone? GetHumanoidBone(int node) => IsHumanoid && _boneOf[node] != None ? (HumanoidBone)_boneOf[node] : null;
 
-    /// <summary>Which bone of the stream a node follows.</summary>
+    /// <summary>Gets the bone of the stream that a node follows.</summary>
     /// <param name="node">Index of a node.</param>
-    /// <returns>Null when it is none, and for Humanoid rigs.</returns>
+    /// <returns>The bone. Null if the node is not a bone, and for Humanoid rigs.</returns>
     public Bone? GetBone(int node) => !IsHumanoid && _boneOf[node] != None ? (Bone)_boneOf[node] : null;
 
     internal bool IsMapped(int node) => _boneOf[node] != None;
@@ -158,7 +163,7 @@ public sealed partial class TargetRig
     private static int[] CheckMap(ReadOnlySpan<int> nodeByBone, int boneCount, int nodeCount)
     {
         if (nodeByBone.Length != boneCount)
-            throw new ArgumentException($"There is an index for each of the {boneCount} bones.", nameof(nodeByBone));
+            throw new ArgumentException($"There must be an index for each of the {boneCount} bones.", nameof(nodeByBone));
 
         foreach (int node in nodeByBone)
         {
@@ -176,7 +181,7 @@ public sealed partial class TargetRig
         {
             RigNode node = copy[i];
             if (node.Parent < None || node.Parent >= i)
-                throw new ArgumentException($"Node {i}, {node.Name}, stands before its parent.", nameof(nodes));
+                throw new ArgumentException($"Node {i}, {node.Name}, comes before its parent.", nameof(nodes));
             if (!FiniteValues.IsFinite(node.Position) || !FiniteValues.IsFinite(node.Rotation) || !FiniteValues.IsFinite(node.Scale))
                 throw new ArgumentException($"Node {i}, {node.Name}, has a value that is not a number.", nameof(nodes));
             if (node.Rotation.LengthSquared() < 1e-6f)
@@ -197,7 +202,7 @@ public sealed partial class TargetRig
             if (map[bone] == None)
                 continue;
             if (boneOf[map[bone]] != None)
-                throw new ArgumentException($"Node {map[bone]}, {_nodes[map[bone]].Name}, is two bones.", nameof(map));
+                throw new ArgumentException($"Node {map[bone]}, {_nodes[map[bone]].Name}, is mapped to two bones.", nameof(map));
 
             boneOf[map[bone]] = bone;
         }

@@ -4,59 +4,65 @@ using NeuronMocap.Skeleton;
 namespace NeuronMocap.Retargeting;
 
 /// <summary>
-/// Converts between the library's axes (right-handed, Y up, X to the subject's left, Z forward; centimetres) and Unity's (left-handed, Y up,
-/// Z forward; metres). The X axis is mirrored, as the vendor's scripts do: the left hand stays the left hand and is at negative X in Unity.
-/// A quaternion's arithmetic is the same in both, so that results may be multiplied on. Allocates nothing; thread-safe.
+/// Converts between the library's axes and Unity's. The library is right-handed, with Y up, X to the subject's left, Z forward, in centimetres. Unity
+/// is left-handed, with Y up, Z forward, in metres.
 /// </summary>
+/// <remarks>
+/// The X axis is mirrored, as in the vendor's scripts. The left hand stays the left hand and is at negative X in Unity. Quaternion arithmetic is the
+/// same in both systems, so converted rotations can be multiplied. Allocates nothing; thread-safe.
+/// </remarks>
 public static class UnityAxes
 {
-    /// <summary>A place or a way of the library in Unity.</summary>
+    /// <summary>Converts a position or an offset of the library to Unity.</summary>
     /// <param name="centimetres">Centimetres, right-handed.</param>
     /// <returns>Metres, left-handed.</returns>
     public static Vector3 ToUnityPosition(Vector3 centimetres) => Mirror(centimetres) / 100;
 
-    /// <summary>A place or a way of Unity in the library.</summary>
+    /// <summary>Converts a position or an offset of Unity to the library.</summary>
     /// <param name="metres">Metres, left-handed.</param>
     /// <returns>Centimetres, right-handed.</returns>
     public static Vector3 FromUnityPosition(Vector3 metres) => Mirror(metres) * 100;
 
-    /// <summary>A direction, or anything else that has no length to convert.</summary>
-    /// <param name="direction">In either's axes.</param>
-    /// <returns>In the other's.</returns>
+    /// <summary>Converts a direction, or another vector without a unit of length.</summary>
+    /// <param name="direction">A direction in the axes of either system.</param>
+    /// <returns>The direction in the axes of the other system.</returns>
     public static Vector3 Mirror(Vector3 direction) => new(-direction.X, direction.Y, direction.Z);
 
-    /// <summary>A rotation of the library in Unity.</summary>
-    /// <param name="rotation">For right-handed axes.</param>
-    /// <returns>For left-handed axes: what turns the mirrored object as the argument turns the object.</returns>
+    /// <summary>Converts a rotation of the library to Unity.</summary>
+    /// <param name="rotation">A rotation for right-handed axes.</param>
+    /// <returns>A rotation for left-handed axes, which turns the mirrored object as the argument turns the object.</returns>
     public static Quaternion ToUnityRotation(Quaternion rotation) => Mirror(rotation);
 
-    /// <summary>A rotation of Unity in the library.</summary>
-    /// <param name="rotation">For left-handed axes.</param>
-    /// <returns>For right-handed axes.</returns>
+    /// <summary>Converts a rotation of Unity to the library.</summary>
+    /// <param name="rotation">A rotation for left-handed axes.</param>
+    /// <returns>A rotation for right-handed axes.</returns>
     public static Quaternion FromUnityRotation(Quaternion rotation) => Mirror(rotation);
 
-    /// <summary>A rotation that the stream gives by three angles, as a quaternion of Unity.</summary>
+    /// <summary>Converts three angles of the stream to a quaternion of Unity.</summary>
     /// <param name="degrees">The angles in the order of <paramref name="order"/>: for YXZ, component X is the angle about Y.</param>
-    /// <param name="order">What the server is set to.</param>
-    /// <returns>For left-handed axes.</returns>
-    /// <exception cref="ArgumentOutOfRangeException">There is no such order.</exception>
+    /// <param name="order">The rotation order of the server.</param>
+    /// <returns>A rotation for left-handed axes.</returns>
+    /// <exception cref="ArgumentOutOfRangeException">The rotation order is not defined.</exception>
     public static Quaternion ToUnityRotation(Vector3 degrees, RotationOrder order) => Mirror(EulerAngles.ToQuaternion(degrees, order));
 
     /// <summary>
-    /// A rotation that the stream gives by three angles, as Unity's Euler angles. Unity turns about Z, X and Y in this order, which is the
-    /// stream's YXZ: there only the signs change, and angles of any size stay what they are. Other orders go through a quaternion.
+    /// Converts three angles of the stream to Unity's Euler angles.
     /// </summary>
+    /// <remarks>
+    /// Unity turns about Z, X and Y in this order, which is the stream's YXZ. For YXZ only signs change, and angles of any size are kept. Other
+    /// orders go through a quaternion.
+    /// </remarks>
     /// <param name="degrees">The angles in the order of <paramref name="order"/>: for YXZ, component X is the angle about Y.</param>
-    /// <param name="order">What the server is set to.</param>
+    /// <param name="order">The rotation order of the server.</param>
     /// <returns>Degrees; component X is the angle about X.</returns>
-    /// <exception cref="ArgumentOutOfRangeException">There is no such order.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">The rotation order is not defined.</exception>
     public static Vector3 ToUnityEuler(Vector3 degrees, RotationOrder order) => order == RotationOrder.YXZ
         ? new Vector3(degrees.Y, -degrees.X, -degrees.Z)
         : ToUnityEuler(ToUnityRotation(degrees, order));
 
-    /// <summary>A rotation of Unity as Unity's Euler angles.</summary>
-    /// <param name="rotation">A quaternion of Unity of any length but zero.</param>
-    /// <returns>Degrees; component X, within [-90, 90], is the angle about X, the others are within [-180, 180].</returns>
+    /// <summary>Converts a rotation of Unity to Unity's Euler angles.</summary>
+    /// <param name="rotation">A quaternion of Unity of any length except zero.</param>
+    /// <returns>Degrees. Component X is the angle about X, within [-90, 90]. The others are within [-180, 180].</returns>
     public static Vector3 ToUnityEuler(Quaternion rotation)
     {
         // The formulas are the same for both hands.
@@ -64,11 +70,14 @@ public static class UnityAxes
         return new Vector3(angles.Y, angles.X, angles.Z);
     }
 
-    /// <summary>Unity's Euler angles as the three angles of the stream.</summary>
+    /// <summary>Converts Unity's Euler angles to three angles of the stream.</summary>
     /// <param name="degrees">Degrees; component X is the angle about X.</param>
-    /// <param name="order">What the angles are wanted for.</param>
-    /// <returns>The angles in the order of <paramref name="order"/>; ranges as in <see cref="EulerAngles.FromQuaternion"/>, but for YXZ those of the argument.</returns>
-    /// <exception cref="ArgumentOutOfRangeException">There is no such order.</exception>
+    /// <param name="order">The rotation order of the result.</param>
+    /// <returns>
+    /// The angles in the order of <paramref name="order"/>. For YXZ the ranges are those of the argument, otherwise those of
+    /// <see cref="EulerAngles.FromQuaternion"/>.
+    /// </returns>
+    /// <exception cref="ArgumentOutOfRangeException">The rotation order is not defined.</exception>
     public static Vector3 FromUnityEuler(Vector3 degrees, RotationOrder order)
     {
         var angles = new Vector3(-degrees.Y, degrees.X, -degrees.Z);

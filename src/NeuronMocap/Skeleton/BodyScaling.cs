@@ -2,7 +2,7 @@ using System.Numerics;
 
 namespace NeuronMocap.Skeleton;
 
-// Stretches the default body to twelve sizes. Each is one that BoneDimensions.Measure finds again.
+// Stretches the default body to twelve sizes. BoneDimensions.Measure returns the same sizes for the result.
 internal static class BodyScaling
 {
     public static SkeletonBody Create(in BoneDimensions wanted, SkeletonVariant variant)

@@ -3,12 +3,14 @@ using NeuronMocap.Skeleton;
 namespace NeuronMocap;
 
 /// <summary>
-/// The 59 bones in the order of the BVH stream: manual, Appendix A. Use <see cref="CalculationOrder"/> for the order of the calculation stream
-/// and <see cref="BoneHierarchy"/> for names and parents, which depend on the <see cref="SkeletonVariant"/>.
+/// The 59 bones in the order of the BVH stream (manual, Appendix A). Use <see cref="CalculationOrder"/> for the order of the calculation stream.
+/// <see cref="BoneHierarchy"/> gives names and parents, which depend on the <see cref="SkeletonVariant"/>.
 /// </summary>
 public enum Bone
 {
-    /// <summary>Root of the body: its position and rotation are relative to the Reference node, or to the world without one.</summary>
+    /// <summary>
+    /// Root of the body. Its position and rotation are relative to the Reference node, or to the world if there is no Reference node.
+    /// </summary>
     Hips = 0,
 
     /// <summary>Right thigh.</summary>
@@ -35,13 +37,13 @@ public enum Bone
     /// <summary>Second spine bone.</summary>
     Spine1,
 
-    /// <summary>Third spine bone; the shoulders hang from it in the Neck1 variant.</summary>
+    /// <summary>Third spine bone. In the Neck1 variant it is the parent of the shoulders.</summary>
     Spine2,
 
-    /// <summary>Lower neck; called Spine3 and part of the spine in the Spine3 variant, where the shoulders hang from it.</summary>
+    /// <summary>Lower neck. In the Spine3 variant it is called Spine3, belongs to the spine, and is the parent of the shoulders.</summary>
     Neck,
 
-    /// <summary>Upper neck; called Neck, and all of the neck, in the Spine3 variant.</summary>
+    /// <summary>Upper neck. In the Spine3 variant it is called Neck and is the whole neck.</summary>
     Neck1,
 
     /// <summary>Head.</summary>

@@ -4,8 +4,8 @@ using System.Numerics;
 namespace NeuronMocap.Skeleton;
 
 /// <summary>
-/// The twelve sizes of an actor's body, in metres, as the command channel tells them (manual section 2.1.8, protocol.md section 2.4). The manual
-/// names them and does not say between which points they lie; <see cref="Measure"/> says what it measures.
+/// The twelve sizes of an actor's body, in metres, as the command channel sends them (manual section 2.1.8, protocol.md section 2.4). The manual
+/// names the sizes but does not define the points between which they lie. <see cref="Measure"/> documents its own definitions.
 /// </summary>
 public readonly record struct BoneDimensions
 {
@@ -52,30 +52,30 @@ public readonly record struct BoneDimensions
     public float FootLength { get; init; }
 
     /// <summary>
-    /// Measures a body. Only positions count, so that any pose of it gives the same sizes; of two sides, the mean.
+    /// Measures a body. Only positions are used, so any pose of the body gives the same sizes. Sizes of two sides are averaged.
     /// <list type="table">
     /// <item><term><see cref="Head"/></term><description>joint of the head to its End Site</description></item>
-    /// <item><term><see cref="Neck"/></term><description>lowest joint that is named Neck to the joint of the head, along the bones</description></item>
+    /// <item><term><see cref="Neck"/></term><description>lowest joint named Neck to the joint of the head, along the bones</description></item>
     /// <item><term><see cref="Body"/></term><description>hips to that joint, along the bones of the spine</description></item>
-    /// <item><term><see cref="ShoulderWidth"/></term><description>from one upper arm's joint to the other's, all rotations zero</description></item>
+    /// <item><term><see cref="ShoulderWidth"/></term><description>joint of one upper arm to that of the other, all rotations zero</description></item>
     /// <item><term><see cref="UpperArm"/></term><description>joint of the upper arm to that of the forearm</description></item>
     /// <item><term><see cref="Forearm"/></term><description>joint of the forearm to that of the hand</description></item>
-    /// <item><term><see cref="Palm"/></term><description>joint of the hand to the middle finger's first joint, all rotations zero</description></item>
-    /// <item><term><see cref="HipWidth"/></term><description>from one thigh's joint to the other's</description></item>
+    /// <item><term><see cref="Palm"/></term><description>joint of the hand to the first joint of the middle finger, all rotations zero</description></item>
+    /// <item><term><see cref="HipWidth"/></term><description>joint of one thigh to that of the other</description></item>
     /// <item><term><see cref="UpperLeg"/></term><description>joint of the thigh to that of the shin</description></item>
     /// <item><term><see cref="LowerLeg"/></term><description>joint of the shin to that of the foot</description></item>
     /// <item><term><see cref="HeelHeight"/></term><description>joint of the foot to its End Site, vertically</description></item>
     /// <item><term><see cref="FootLength"/></term><description>joint of the foot to its End Site, horizontally</description></item>
     /// </list>
     /// </summary>
-    /// <param name="pose">59 transforms relative to the parent, in <see cref="Bone"/> order; centimetres.</param>
-    /// <param name="variant">Decides where the neck begins.</param>
+    /// <param name="pose">59 transforms relative to the parent, in <see cref="Bone"/> order, in centimetres.</param>
+    /// <param name="variant">Determines where the neck begins.</param>
     /// <param name="endSites">
-    /// Where the bones end that have no children, relative to them, in <see cref="Bone"/> order, 59 of them; those of other bones have no meaning.
-    /// Empty: <see cref="DefaultOffsets.TryGetEndSite"/>, because no stream carries them.
+    /// The End Sites of the bones without children, relative to their bone, as 59 values in <see cref="Bone"/> order. Values of other bones are
+    /// ignored. If empty, <see cref="DefaultOffsets.TryGetEndSite"/> is used, because no stream carries End Sites.
     /// </param>
     /// <returns>The sizes.</returns>
-    /// <exception cref="ArgumentException">There are fewer than 59 transforms, or End Sites but fewer than 59.</exception>
+    /// <exception cref="ArgumentException">There are fewer than 59 transforms, or from 1 to 58 End Sites.</exception>
     public static BoneDimensions Measure(
         ReadOnlySpan<BoneTransform> pose,
         SkeletonVariant variant = SkeletonVariant.Neck1,
@@ -111,9 +111,9 @@ public readonly record struct BoneDimensions
     }
 
     /// <summary>Reads the sizes from the wire: twelve floats in the order of the members.</summary>
-    /// <param name="source">At least 48 bytes; further ones are ignored.</param>
-    /// <param name="dimensions">The sizes, when they can be some.</param>
-    /// <returns>False when there are fewer bytes, or when a size is negative, infinite or not a number.</returns>
+    /// <param name="source">At least 48 bytes. Further bytes are ignored.</param>
+    /// <param name="dimensions">Receives the sizes if they are valid.</param>
+    /// <returns>False if there are fewer than 48 bytes, or if a size is negative, infinite or not a number.</returns>
     public static bool TryRead(ReadOnlySpan<byte> source, out BoneDimensions dimensions)
     {
         dimensions = default;
@@ -146,9 +146,9 @@ public readonly record struct BoneDimensions
         return true;
     }
 
-    /// <summary>Writes the sizes as they stand on the wire.</summary>
-    /// <param name="destination">Room for 48 bytes.</param>
-    /// <exception cref="ArgumentException">There is less room.</exception>
+    /// <summary>Writes the sizes in wire format.</summary>
+    /// <param name="destination">A span of at least 48 bytes.</param>
+    /// <exception cref="ArgumentException">The span is too short.</exception>
     public void Write(Span<byte> destination)
     {
         if (destination.Length < Size)

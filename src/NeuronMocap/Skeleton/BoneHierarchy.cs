@@ -24,7 +24,7 @@ public static class BoneHierarchy
         39, 40, 41, 39, 43, 44, 45, 39, 47, 48, 49, 39, 51, 52, 53, 39, 55, 56, 57,
     ];
 
-    // The same but for the shoulders.
+    // The same except for the shoulders.
     private static ReadOnlySpan<sbyte> Spine3Parents =>
     [
         None,
@@ -40,22 +40,22 @@ public static class BoneHierarchy
     /// <summary>All bones, in the order of the BVH stream.</summary>
     public static ReadOnlySpan<Bone> Bones => AllBones;
 
-    /// <summary>The bone that another one hangs from.</summary>
-    /// <param name="bone">A bone.</param>
-    /// <param name="variant">Decides where the shoulders hang.</param>
+    /// <summary>Gets the parent of a bone.</summary>
+    /// <param name="bone">The bone.</param>
+    /// <param name="variant">Determines the parent of the shoulders.</param>
     /// <returns>The parent, or null for the hips.</returns>
-    /// <exception cref="ArgumentOutOfRangeException">There is no such bone.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">The bone is not defined.</exception>
     public static Bone? GetParent(Bone bone, SkeletonVariant variant = SkeletonVariant.Neck1)
     {
         int parent = ParentIndices(variant)[CheckedIndex(bone)];
         return parent == None ? null : (Bone)parent;
     }
 
-    /// <summary>The name that a BVH file gives a bone.</summary>
-    /// <param name="bone">A bone.</param>
-    /// <param name="variant">Decides the names at index 10 and 11.</param>
-    /// <returns>The name, as in "RightInHandIndex".</returns>
-    /// <exception cref="ArgumentOutOfRangeException">There is no such bone.</exception>
+    /// <summary>Gets the name of a bone in BVH files.</summary>
+    /// <param name="bone">The bone.</param>
+    /// <param name="variant">Determines the names at index 10 and 11.</param>
+    /// <returns>The name, such as "RightInHandIndex".</returns>
+    /// <exception cref="ArgumentOutOfRangeException">The bone is not defined.</exception>
     public static string GetName(Bone bone, SkeletonVariant variant = SkeletonVariant.Neck1) => (variant, bone) switch
     {
         (SkeletonVariant.Spine3, Bone.Neck) => "Spine3",
@@ -64,10 +64,10 @@ public static class BoneHierarchy
     };
 
     /// <summary>Finds a bone by its name in a BVH file.</summary>
-    /// <param name="name">The name; case matters.</param>
-    /// <param name="variant">Decides the names at index 10 and 11.</param>
-    /// <param name="bone">The bone, when there is one of that name.</param>
-    /// <returns>False when no bone has that name.</returns>
+    /// <param name="name">The name, case-sensitive.</param>
+    /// <param name="variant">Determines the names at index 10 and 11.</param>
+    /// <param name="bone">Receives the bone if one has that name.</param>
+    /// <returns>False if no bone has that name.</returns>
     public static bool TryFind(ReadOnlySpan<char> name, SkeletonVariant variant, out Bone bone)
     {
         foreach (Bone candidate in AllBones)
@@ -83,7 +83,7 @@ public static class BoneHierarchy
         return false;
     }
 
-    // Of every bone, in their order; -1 for the hips.
+    // The parent of every bone in their order. -1 for the hips.
     internal static ReadOnlySpan<sbyte> ParentIndices(SkeletonVariant variant) =>
         variant == SkeletonVariant.Spine3 ? Spine3Parents : Neck1Parents;
 
@@ -91,7 +91,7 @@ public static class BoneHierarchy
     {
         int index = (int)bone;
         if ((uint)index >= BoneCount)
-            throw new ArgumentOutOfRangeException(nameof(bone), bone, "There are 59 bones, 0 to 58.");
+            throw new ArgumentOutOfRangeException(nameof(bone), bone, "The bone must be one of the 59 bones, 0 to 58.");
 
         return index;
     }

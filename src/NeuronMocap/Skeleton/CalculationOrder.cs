@@ -6,7 +6,7 @@ namespace NeuronMocap.Skeleton;
 /// </summary>
 public static class CalculationOrder
 {
-    /// <summary>Bones of the body, which every calculation packet carries.</summary>
+    /// <summary>Number of bones of the body, which are in every calculation packet.</summary>
     public const int BodyBoneCount = 21;
 
     private static readonly Bone[] Order =
@@ -31,13 +31,13 @@ public static class CalculationOrder
 
     private static readonly byte[] Indices = Invert(Order);
 
-    /// <summary>The bones in the order of the calculation stream.</summary>
+    /// <summary>Gets the bones in the order of the calculation stream.</summary>
     public static ReadOnlySpan<Bone> Bones => Order;
 
-    /// <summary>The place of a bone in the calculation stream.</summary>
-    /// <param name="bone">A bone.</param>
-    /// <returns>0 to 58; below 21 for the body.</returns>
-    /// <exception cref="ArgumentOutOfRangeException">There is no such bone.</exception>
+    /// <summary>Gets the index of a bone in the calculation stream.</summary>
+    /// <param name="bone">The bone.</param>
+    /// <returns>0 to 58. Bones of the body have an index below 21.</returns>
+    /// <exception cref="ArgumentOutOfRangeException">The bone is not defined.</exception>
     public static int IndexOf(Bone bone) => Indices[BoneHierarchy.CheckedIndex(bone)];
 
     private static byte[] Invert(Bone[] order)

@@ -3,22 +3,27 @@ using System.Numerics;
 namespace NeuronMocap.Skeleton;
 
 /// <summary>
-/// The centre of mass of the body. Masses and centres of the segments are those of men in P. de Leva, "Adjustments to Zatsiorsky-Seluyanov's segment
-/// inertia parameters", Journal of Biomechanics 29(9), 1996, Table 4; no stream says how heavy an actor is, and fractions need not know.
-/// Neck and head are one segment, a hand has its fingers. Allocates nothing; thread-safe.
-/// <list type="bullet">
-/// <item><description>The trunk is three segments, which follow the joints of the spine from between the thighs to the lowest joint named Neck.</description></item>
-/// <item><description>The hand's centre lies on the line to the middle finger's first joint.</description></item>
-/// <item><description>The heel, which the skeleton lacks, is taken to lie as low as the toes and a third as far behind the ankle as they are before it.</description></item>
-/// </list>
+/// Computes the centre of mass of the body. Allocates nothing; thread-safe.
 /// </summary>
+/// <remarks>
+/// Masses and centres of the segments are those of men in P. de Leva, "Adjustments to Zatsiorsky-Seluyanov's segment inertia parameters", Journal of
+/// Biomechanics 29(9), 1996, Table 4. Masses are fractions of the body mass, so the actor's weight, which no stream carries, is not needed. Neck and
+/// head are one segment. A hand includes its fingers.
+/// <list type="bullet">
+/// <item><description>The trunk has three segments. They follow the joints of the spine from the midpoint of the thighs to the lowest joint named
+/// Neck.</description></item>
+/// <item><description>The hand's centre lies on the line to the first joint of the middle finger.</description></item>
+/// <item><description>The skeleton lacks a heel. It is assumed as low as the toes, and behind the ankle by a third of the distance from ankle to
+/// toes.</description></item>
+/// </list>
+/// </remarks>
 public static class CenterOfMass
 {
-    // Lengths of the parts of the trunk, from the hips up, as fractions of it.
+    // Ends of the parts of the trunk, from the hips up, as fractions of the trunk.
     private const float PelvisEnd = 145.7f / 603.3f;
     private const float AbdomenEnd = (145.7f + 215.5f) / 603.3f;
 
-    // Down from the upper end of each part.
+    // Distance of each centre from the upper end of its part, as a fraction.
     private const float PelvisCenter = 0.6115f;
     private const float AbdomenCenter = 0.4502f;
     private const float ThoraxCenter = 0.5066f;
@@ -38,7 +43,7 @@ public static class CenterOfMass
 
     /// <summary>Computes the centre of mass of a pose.</summary>
     /// <param name="world">59 transforms in the world, in <see cref="Bone"/> order.</param>
-    /// <param name="body">Says where head and feet end, and where the neck begins.</param>
+    /// <param name="body">Determines the ends of head and feet, and the start of the neck.</param>
     /// <returns>A point in the axes and units of <paramref name="world"/>.</returns>
     /// <exception cref="ArgumentException">There are fewer than 59 transforms.</exception>
     public static Vector3 Compute(ReadOnlySpan<BoneTransform> world, SkeletonBody body)

@@ -3,10 +3,12 @@ using System.Numerics;
 namespace NeuronMocap.Skeleton;
 
 /// <summary>
-/// The rest pose of the default body: a T-pose with every rotation zero, arms along X (manual, Appendix B). Positions in centimetres, relative
-/// to the parent; right-handed axes, Y up, X to the subject's left, Z forward. A server's own body has other lengths: a stream with
-/// displacement carries them, one without does not.
+/// The rest pose of the default body: a T-pose with every rotation zero and arms along X (manual, Appendix B).
 /// </summary>
+/// <remarks>
+/// Positions are in centimetres, relative to the parent. Axes are right-handed, with Y up, X to the subject's left and Z forward. The body of a
+/// server has other lengths. Only a stream with displacement carries them.
+/// </remarks>
 public static class DefaultOffsets
 {
     private static readonly Vector3[] Neck1Offsets =
@@ -72,23 +74,23 @@ public static class DefaultOffsets
         new(1.692f, 0, 0), // LeftHandPinky3
     ];
 
-    /// <summary>The position of a bone relative to its parent; for the hips, their height above the ground.</summary>
-    /// <param name="bone">A bone.</param>
+    /// <summary>Gets the position of a bone relative to its parent. For the hips, it is their height above the ground.</summary>
+    /// <param name="bone">The bone.</param>
     /// <param name="variant">
-    /// The spine that the bone belongs to. The manual gives offsets of the Neck1 variant only; those of Spine3 divide the same stature as
-    /// real takes of that variant do, so that head and shoulders of both variants are at the same place.
+    /// The variant of the spine. The manual gives offsets only for the Neck1 variant. The offsets of Spine3 divide the same stature in the
+    /// proportions of real takes of that variant. Head and shoulders are thus at the same place in both variants.
     /// </param>
     /// <returns>Centimetres, in the parent's axes.</returns>
-    /// <exception cref="ArgumentOutOfRangeException">There is no such bone.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">The bone is not defined.</exception>
     public static Vector3 Get(Bone bone, SkeletonVariant variant = SkeletonVariant.Neck1)
     {
         Vector3 offset = Neck1Offsets[BoneHierarchy.CheckedIndex(bone)];
         return variant == SkeletonVariant.Spine3 ? GetSpine3(bone, offset) : offset;
     }
 
-    /// <summary>Where a bone without children ends, relative to it: the End Site of a BVH file.</summary>
-    /// <param name="bone">A bone.</param>
-    /// <param name="offset">Centimetres, in the bone's axes; zero for a bone that has children.</param>
+    /// <summary>Gets the end of a bone without children, relative to the bone: the End Site of a BVH file.</summary>
+    /// <param name="bone">The bone.</param>
+    /// <param name="offset">Receives the End Site in centimetres, in the bone's axes. Zero for a bone that has children.</param>
     /// <returns>False for a bone that has children.</returns>
     public static bool TryGetEndSite(Bone bone, out Vector3 offset)
     {
@@ -112,7 +114,7 @@ public static class DefaultOffsets
         return offset != Vector3.Zero;
     }
 
-    // Sums to the same 60 cm from hips to head, and the same 45.9 cm from hips to shoulders, as the other variant.
+    // The sums are the same as in the other variant: 60 cm from hips to head, and 45.9 cm from hips to shoulders.
     private static Vector3 GetSpine3(Bone bone, Vector3 offset) => bone switch
     {
         Bone.Spine => new Vector3(0, 13.47f, 0),

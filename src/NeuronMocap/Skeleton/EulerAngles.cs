@@ -3,16 +3,16 @@ using System.Numerics;
 namespace NeuronMocap.Skeleton;
 
 /// <summary>
-/// Converts between the stream's three angles in degrees and quaternions. The angles of a <see cref="Vector3"/> stand in the order of
-/// the rotation order: for YXZ its X component is the angle about Y.
+/// Converts between the stream's three angles in degrees and quaternions. The components of a <see cref="Vector3"/> follow the rotation order: for
+/// YXZ, component X is the angle about Y.
 /// </summary>
 public static class EulerAngles
 {
-    /// <summary>The rotation that three angles describe.</summary>
-    /// <param name="degrees">The angles in degrees, in the order of their application; any size.</param>
-    /// <param name="order">Which axis each of them turns about.</param>
+    /// <summary>Converts three angles to a quaternion.</summary>
+    /// <param name="degrees">Angles of any size in degrees, in the order in which they are applied.</param>
+    /// <param name="order">The rotation order of the angles.</param>
     /// <returns>A unit quaternion, for right-handed axes.</returns>
-    /// <exception cref="ArgumentOutOfRangeException">There is no such order.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">The rotation order is not defined.</exception>
     public static Quaternion ToQuaternion(Vector3 degrees, RotationOrder order)
     {
         var turn = new RotationComposer(order);
@@ -26,14 +26,14 @@ public static class EulerAngles
         return turn.Compose(new Vector3(sines[0], sines[1], sines[2]), new Vector3(cosines[0], cosines[1], cosines[2]));
     }
 
-    /// <summary>The angles that describe a rotation.</summary>
-    /// <param name="rotation">A quaternion of any length but zero.</param>
-    /// <param name="order">Which axes to turn about.</param>
+    /// <summary>Converts a rotation to three angles.</summary>
+    /// <param name="rotation">A quaternion of any length except zero.</param>
+    /// <param name="order">The rotation order of the result.</param>
     /// <returns>
-    /// Degrees in the order of their application: the first and third within [-180, 180], the second within [-90, 90]. With the second at
-    /// 90 degrees the first and third turn about the same line; the third is then zero.
+    /// Degrees in the order in which they are applied. The first and third are within [-180, 180], the second within [-90, 90]. If the second is 90
+    /// degrees, the first and third turn about the same line. The third is then zero.
     /// </returns>
-    /// <exception cref="ArgumentOutOfRangeException">There is no such order.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">The rotation order is not defined.</exception>
     public static Vector3 FromQuaternion(Quaternion rotation, RotationOrder order)
     {
         (int i, int j, int k) = Axes(order);
@@ -58,12 +58,12 @@ public static class EulerAngles
         RotationOrder.YZX => (1, 2, 0),
         RotationOrder.ZXY => (2, 0, 1),
         RotationOrder.ZYX => (2, 1, 0),
-        _ => throw new ArgumentOutOfRangeException(nameof(order), order, "There are six rotation orders, 0 to 5."),
+        _ => throw new ArgumentOutOfRangeException(nameof(order), order, "The order must be one of the six rotation orders, 0 to 5."),
     };
 
     private static float Degrees(double radians) => (float)(radians * (180 / Math.PI));
 
-    // In double precision: near the pole of the second angle, float would cost a tenth of a degree.
+    // In double precision. Near the pole of the second angle, single precision costs a tenth of a degree.
     private readonly ref struct RotationMatrix
     {
         private readonly double _x;

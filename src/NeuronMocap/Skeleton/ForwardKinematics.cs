@@ -1,13 +1,13 @@
 namespace NeuronMocap.Skeleton;
 
-/// <summary>From rotations relative to the parent to places in the world, and back. Allocates nothing; thread-safe.</summary>
+/// <summary>Converts transforms relative to the parent to transforms in the world, and back. Allocates nothing; thread-safe.</summary>
 public static class ForwardKinematics
 {
-    /// <summary>Computes where every bone is.</summary>
+    /// <summary>Computes the world transforms of all bones.</summary>
     /// <param name="local">59 transforms relative to the parent, in <see cref="Bone"/> order.</param>
-    /// <param name="world">Receives 59 transforms in the world; may be the same memory as <paramref name="local"/>.</param>
-    /// <param name="variant">Decides where the shoulders hang.</param>
-    /// <param name="root">What the hips are relative to: the Reference node, or null for the world itself.</param>
+    /// <param name="world">Receives 59 transforms in the world. May be the same memory as <paramref name="local"/>.</param>
+    /// <param name="variant">Determines the parent of the shoulders.</param>
+    /// <param name="root">The parent of the hips: the Reference node, or null for the world itself.</param>
     /// <exception cref="ArgumentException">One of the spans is shorter than 59.</exception>
     public static void ToWorld(
         ReadOnlySpan<BoneTransform> local,
@@ -24,11 +24,11 @@ public static class ForwardKinematics
             world[bone] = world[parents[bone]].Apply(local[bone]);
     }
 
-    /// <summary>Computes the transforms relative to the parents of bones whose places in the world are known: the inverse of <see cref="ToWorld"/>.</summary>
+    /// <summary>Computes transforms relative to the parent from world transforms. It is the inverse of <see cref="ToWorld"/>.</summary>
     /// <param name="world">59 transforms in the world, in <see cref="Bone"/> order.</param>
-    /// <param name="local">Receives 59 transforms relative to the parent; may be the same memory as <paramref name="world"/>.</param>
-    /// <param name="variant">Decides where the shoulders hang.</param>
-    /// <param name="root">What the hips are to be relative to: the Reference node, or null for the world itself.</param>
+    /// <param name="local">Receives 59 transforms relative to the parent. May be the same memory as <paramref name="world"/>.</param>
+    /// <param name="variant">Determines the parent of the shoulders.</param>
+    /// <param name="root">The parent of the hips: the Reference node, or null for the world itself.</param>
     /// <exception cref="ArgumentException">One of the spans is shorter than 59.</exception>
     public static void ToLocal(
         ReadOnlySpan<BoneTransform> world,
@@ -41,7 +41,7 @@ public static class ForwardKinematics
 
         ReadOnlySpan<sbyte> parents = BoneHierarchy.ParentIndices(variant);
 
-        // Children first: a parent that shares its memory with the result is still in the world when they need it.
+        // Children come first. If source and result share memory, the parent of a child is still a world transform.
         for (int bone = BoneHierarchy.BoneCount - 1; bone > 0; bone--)
             local[bone] = world[parents[bone]].ToLocal(world[bone]);
 

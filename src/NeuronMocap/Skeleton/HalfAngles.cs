@@ -1,19 +1,19 @@
 namespace NeuronMocap.Skeleton;
 
-// Sines and cosines of half of angles in degrees, as quaternions need them, within two units in the last place for every finite angle.
+// Sines and cosines of half angles in degrees, as quaternions need them, within two units in the last place for every finite angle.
 //
-// Degrees make the reduction exact: a half angle's quadrants are 180 of them wide, so multiples of 180 are subtracted without rounding, which
-// pi in radians would not allow. What remains, at most 45 degrees of half angle, goes into the Taylor series; its terms beyond
-// the last one are below a hundredth of a unit.
+// Degrees make the reduction exact. Half an angle crosses a quadrant every 180 degrees of the angle, and multiples of 180 are subtracted without
+// rounding. Pi in radians would not allow that. The remainder, a half angle of at most 45 degrees, goes into a Taylor series. The omitted terms are
+// below a hundredth of a unit.
 internal static partial class HalfAngles
 {
-    // Spans are whole vectors of the widest kind.
+    // Spans have a length that is a multiple of the widest vector.
     public const int Granularity = 16;
 
     private const float QuadrantDegrees = 180;
     private const float TurnDegrees = 720;
 
-    // Up to here a multiple of 180 and the difference to it are exact in binary32.
+    // Up to this value, a multiple of 180 and the difference to it are exact in binary32.
     private const float LargestExact = 1 << 24;
 
     private const double C = Math.PI / 360;

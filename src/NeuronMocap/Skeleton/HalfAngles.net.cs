@@ -5,17 +5,17 @@ namespace NeuronMocap.Skeleton;
 
 internal static partial class HalfAngles
 {
-    // The first coefficient of the sine in two parts: rounded to one float it would cost as much as all other steps together.
+    // The first coefficient of the sine in two parts. Rounded to one float, it would cost as much accuracy as all other steps together.
     private const float Sine0High = (float)Sine0;
     private const float Sine0Low = (float)(Sine0 - Sine0High);
 
-    // Below it the square does not count; computed all the same, it would lead to denormal numbers, at which processors take a hundred times as long.
+    // Below this value the square has no effect. Computing it would produce denormal numbers, on which processors are a hundred times slower.
     private static Vector<float> Smallest => new(1e-3f);
 
     /// <summary>Computes sin(x/2) and cos(x/2).</summary>
     /// <param name="degrees">A multiple of <see cref="Granularity"/> angles. NaN and infinity give NaN.</param>
-    /// <param name="sines">As many sines.</param>
-    /// <param name="cosines">As many cosines.</param>
+    /// <param name="sines">Receives as many sines.</param>
+    /// <param name="cosines">Receives as many cosines.</param>
     public static void SinCos(Span<float> degrees, Span<float> sines, Span<float> cosines)
     {
         Span<Vector<float>> angles = MemoryMarshal.Cast<float, Vector<float>>(degrees);
@@ -42,7 +42,8 @@ internal static partial class HalfAngles
             c = (square * c) + new Vector<float>((float)Cosine1);
             c = (square * c) + Vector<float>.One;
 
-            // Every odd quadrant swaps the two; bit 1 of its number is the sine's sign, that of the next quadrant's the cosine's.
+            // Every odd quadrant swaps sine and cosine. Bit 1 of the quadrant's number is the sign of the sine. Bit 1 of the next number is the sign
+            // of the cosine.
             Vector<int> number = Vector.ConvertToInt32(quadrant);
             Vector<int> odd = -(number & Vector<int>.One);
             Vector<int> sineSign = Vector.ShiftLeft(number & new Vector<int>(2), 30);
@@ -52,7 +53,7 @@ internal static partial class HalfAngles
         }
     }
 
-    // The remainder of a division is exact, and far too slow for angles that streams carry.
+    // The remainder of a division is exact, but far too slow for the angles of streams.
     private static Vector<float> Reduce(Vector<float> angle)
     {
         Span<float> values = stackalloc float[Vector<float>.Count];

@@ -3,8 +3,8 @@ using System.Numerics;
 namespace NeuronMocap.Skeleton;
 
 /// <summary>
-/// The 72 points of a body: where the joints of the 59 bones are, at the index of their <see cref="Bone"/>, then where the 13 bones end that have no
-/// children (feet, head, fingertips), in the order of <see cref="EndSiteBones"/>. Allocates nothing; thread-safe.
+/// The 72 points of a body: first the joints of the 59 bones in <see cref="Bone"/> order, then the ends of the 13 bones without children. Those are
+/// feet, head and fingertips, in the order of <see cref="EndSiteBones"/>. Allocates nothing; thread-safe.
 /// </summary>
 public static class JointPositions
 {
@@ -16,13 +16,13 @@ public static class JointPositions
 
     private static readonly Bone[] Ends = [.. BoneHierarchy.Bones.ToArray().Where(bone => DefaultOffsets.TryGetEndSite(bone, out _))];
 
-    /// <summary>The bones that have no children, in the order of their End Sites behind the joints.</summary>
+    /// <summary>Gets the bones without children, in the order of their End Sites.</summary>
     public static ReadOnlySpan<Bone> EndSiteBones => Ends;
 
-    /// <summary>Index of the point where a bone ends that has no children.</summary>
-    /// <param name="bone">A bone.</param>
+    /// <summary>Gets the index of the point at the end of a bone without children.</summary>
+    /// <param name="bone">The bone.</param>
     /// <returns>59 to 71, or -1 for a bone that has children.</returns>
-    /// <exception cref="ArgumentOutOfRangeException">There is no such bone.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">The bone is not defined.</exception>
     public static int GetEndSiteIndex(Bone bone)
     {
         int index = Array.IndexOf(Ends, (Bone)BoneHierarchy.CheckedIndex(bone));
@@ -31,9 +31,9 @@ public static class JointPositions
 
     /// <summary>Writes all points of a pose.</summary>
     /// <param name="world">59 transforms in the world.</param>
-    /// <param name="body">Says where the bones end.</param>
+    /// <param name="body">Determines the ends of the bones.</param>
     /// <param name="positions">Receives 72 points, in the axes and units of <paramref name="world"/>.</param>
-    /// <exception cref="ArgumentException">There are fewer transforms, or less room.</exception>
+    /// <exception cref="ArgumentException">There are fewer than 59 transforms, or there is no room for 72 points.</exception>
     public static void Copy(ReadOnlySpan<BoneTransform> world, SkeletonBody body, Span<Vector3> positions)
     {
         ArgumentNullException.ThrowIfNull(body);
@@ -48,11 +48,11 @@ public static class JointPositions
             positions[BoneHierarchy.BoneCount + i] = GetEnd(world, body, Ends[i]);
     }
 
-    /// <summary>The lowest of all points: the height of the ground under whoever stands, sits or lies on it.</summary>
+    /// <summary>Gets the lowest of all points. Its Y is the height of the ground under an actor who stands, sits or lies on it.</summary>
     /// <param name="world">59 transforms in the world.</param>
-    /// <param name="body">Says where the bones end.</param>
-    /// <returns>Centimetres; the lowest Y.</returns>
-    /// <exception cref="ArgumentException">There are fewer transforms.</exception>
+    /// <param name="body">Determines the ends of the bones.</param>
+    /// <returns>The point with the lowest Y, in the axes and units of <paramref name="world"/>.</returns>
+    /// <exception cref="ArgumentException">There are fewer than 59 transforms.</exception>
     public static Vector3 GetLowest(ReadOnlySpan<BoneTransform> world, SkeletonBody body)
     {
         ArgumentNullException.ThrowIfNull(body);

@@ -3,8 +3,8 @@ using System.Numerics;
 namespace NeuronMocap.Skeleton;
 
 /// <summary>
-/// From the values of a BVH frame to the transforms of the bones: all angles at once, which is several times as fast as one bone
-/// after the other. Allocates nothing; thread-safe.
+/// Converts the values of a BVH frame to the transforms of the bones. It converts all angles at once, which is several times as fast as bone by bone.
+/// Allocates nothing; thread-safe.
 /// </summary>
 public static class PoseDecoder
 {
@@ -12,13 +12,15 @@ public static class PoseDecoder
     private const int Room = 64;
 
     /// <summary>Computes the transforms of all bones relative to their parents.</summary>
-    /// <param name="values">The values of a motion packet, or of a row of a BVH file in its order: positions in centimetres, angles in degrees of any size.</param>
-    /// <param name="layout">Where they stand.</param>
-    /// <param name="order">Which axes the angles turn about.</param>
-    /// <param name="body">Gives the positions that the values do not carry.</param>
+    /// <param name="values">
+    /// The values of a motion packet, or of a row of a BVH file in the same order: positions in centimetres, angles of any size in degrees.
+    /// </param>
+    /// <param name="layout">The layout of the values.</param>
+    /// <param name="order">The order of the angles.</param>
+    /// <param name="body">Provides the positions that the values do not carry.</param>
     /// <param name="local">Receives 59 transforms, in <see cref="Bone"/> order.</param>
-    /// <exception cref="ArgumentException">There are fewer values than the layout has, or less room.</exception>
-    /// <exception cref="ArgumentOutOfRangeException">There is no such order.</exception>
+    /// <exception cref="ArgumentException">There are fewer values than the layout has, or no room for 59 transforms.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">The rotation order is not defined.</exception>
     public static void Decode(
         ReadOnlySpan<float> values,
         ChannelLayout layout,
@@ -29,7 +31,7 @@ public static class PoseDecoder
         ArgumentNullException.ThrowIfNull(body);
         ForwardKinematics.CheckRoom(local, nameof(local));
         if (values.Length < layout.ValueCount)
-            throw new ArgumentException($"There are {layout.ValueCount} values.", nameof(values));
+            throw new ArgumentException($"There must be {layout.ValueCount} values.", nameof(values));
 
         var turn = new RotationComposer(order);
         Span<float> degrees = stackalloc float[3 * Room];

@@ -2,12 +2,12 @@ using System.Numerics;
 
 namespace NeuronMocap.Skeleton;
 
-// The product of three quaternions, each about one axis, written out: of its 48 products most are by zero.
+// The product of three quaternions, each about one axis, written out, because most of its 48 products are with zero.
 internal readonly struct RotationComposer
 {
     private readonly RotationOrder _order;
 
-    // 1 when the axes follow each other as X Y Z do, -1 when backwards.
+    // 1 if the axes are in cyclic order, as in X Y Z. -1 if they are in reverse order.
     private readonly float _sign;
 
     public RotationComposer(RotationOrder order)
@@ -17,7 +17,7 @@ internal readonly struct RotationComposer
         _sign = (second - first + 3) % 3 == 1 ? 1 : -1;
     }
 
-    // Of the half angles, in the order of their application.
+    // Takes sines and cosines of half angles, in the order in which the angles are applied.
     public Quaternion Compose(Vector3 sine, Vector3 cosine)
     {
         float w = (cosine.X * cosine.Y * cosine.Z) - (_sign * sine.X * sine.Y * sine.Z);

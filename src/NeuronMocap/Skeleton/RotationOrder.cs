@@ -1,10 +1,12 @@
 namespace NeuronMocap;
 
 /// <summary>
-/// The order in which a bone's three rotation values stand and are applied (manual section 2.1.9; the numbers are the vendor's).
-/// YXZ means: the values are Y, X, Z, and the rotation is R(Y) · R(X) · R(Z) on column vectors. An Axis Neuron frame does not carry
-/// the order: the reader has to be told what the server is set to (protocol.md section 3.1).
+/// The order in which a bone's three rotation values are sent and applied (manual section 2.1.9). The numbers are the vendor's.
 /// </summary>
+/// <remarks>
+/// For YXZ the values are Y, X, Z, and the rotation is R(Y) · R(X) · R(Z) on column vectors. An Axis Neuron frame does not carry the order. Set it on
+/// the reader to match the server (protocol.md section 3.1).
+/// </remarks>
 public enum RotationOrder
 {
     /// <summary>X, then Z, then Y.</summary>

@@ -3,8 +3,8 @@ using System.Numerics;
 namespace NeuronMocap.Skeleton;
 
 /// <summary>
-/// The sizes of an actor: where each of the 59 bones is relative to its parent, and where the outermost bones end. A stream without
-/// displacement carries rotations only; a body says what they turn. Immutable; thread-safe.
+/// The sizes of an actor: the offset of each of the 59 bones from its parent, and the ends of the outermost bones. A stream without displacement
+/// carries only rotations; the body provides the bone lengths. Immutable and thread-safe.
 /// </summary>
 public sealed class SkeletonBody
 {
@@ -14,14 +14,16 @@ public sealed class SkeletonBody
     private readonly Vector3[] _offsets;
     private readonly Vector3[] _endSites;
 
-    /// <summary>Makes a body of known sizes, as a BVH hierarchy has them.</summary>
-    /// <param name="offsets">Places of the 59 bones relative to their parents, in <see cref="Bone"/> order, of the hips above the origin; centimetres.</param>
-    /// <param name="endSites">
-    /// Where the bones end that have no children, relative to them, in <see cref="Bone"/> order, 59 of them; those of other bones have no meaning.
-    /// Empty: <see cref="DefaultOffsets.TryGetEndSite"/>.
+    /// <summary>Creates a body of known sizes, such as those of a BVH hierarchy.</summary>
+    /// <param name="offsets">
+    /// Offsets of the 59 bones from their parents, in <see cref="Bone"/> order, in centimetres. The offset of the hips is from the origin.
     /// </param>
-    /// <param name="variant">Decides where the shoulders hang.</param>
-    /// <exception cref="ArgumentException">There are fewer than 59 offsets, or End Sites but fewer than 59.</exception>
+    /// <param name="endSites">
+    /// The End Sites of the bones without children, relative to their bone, as 59 values in <see cref="Bone"/> order. Values of other bones are
+    /// ignored. If empty, <see cref="DefaultOffsets.TryGetEndSite"/> is used.
+    /// </param>
+    /// <param name="variant">Determines the parent of the shoulders.</param>
+    /// <exception cref="ArgumentException">There are fewer than 59 offsets, or from 1 to 58 End Sites.</exception>
     public SkeletonBody(
         ReadOnlySpan<Vector3> offsets,
         ReadOnlySpan<Vector3> endSites = default,
@@ -42,38 +44,43 @@ public sealed class SkeletonBody
         }
     }
 
-    /// <summary>Where the shoulders hang, and how the neck is divided.</summary>
+    /// <summary>Gets the variant, which determines the parent of the shoulders and the division of the neck.</summary>
     public SkeletonVariant Variant { get; }
 
-    /// <summary>Places of the 59 bones relative to their parents at rest, in <see cref="Bone"/> order; centimetres.</summary>
+    /// <summary>Gets the offsets of the 59 bones from their parents at rest, in <see cref="Bone"/> order, in centimetres.</summary>
     public ReadOnlySpan<Vector3> Offsets => _offsets;
 
-    /// <summary>Where the bones end that have no children, relative to them, in <see cref="Bone"/> order; zero for all others. Centimetres.</summary>
+    /// <summary>
+    /// Gets the End Sites of the bones without children, relative to their bone, in <see cref="Bone"/> order, in centimetres. Zero for all others.
+    /// </summary>
     public ReadOnlySpan<Vector3> EndSites => _endSites;
 
-    /// <summary>The default body: <see cref="DefaultOffsets"/>.</summary>
-    /// <param name="variant">Where the shoulders hang.</param>
-    /// <returns>Always the same object for a variant.</returns>
+    /// <summary>Gets the default body, made of <see cref="DefaultOffsets"/>.</summary>
+    /// <param name="variant">Determines the parent of the shoulders.</param>
+    /// <returns>The body; the same object on every call for a variant.</returns>
     public static SkeletonBody GetDefault(SkeletonVariant variant = SkeletonVariant.Neck1) =>
         variant == SkeletonVariant.Spine3 ? Spine3 : Neck1;
 
     /// <summary>
-    /// The default body, stretched to an actor's sizes, as the command channel tells them. <see cref="Measure"/> gives the sizes back. What the twelve
-    /// sizes do not say follows its part of the body: the shoulders' height the spine, the fingers the palm. The hips are as high as the legs are long.
+    /// Stretches the default body to an actor's sizes, as the command channel sends them. <see cref="Measure"/> returns the same sizes.
     /// </summary>
+    /// <remarks>
+    /// Lengths that the twelve sizes do not cover follow their part of the body: the height of the shoulders follows the spine, the fingers follow
+    /// the palm. The hips are as high as the legs are long.
+    /// </remarks>
     /// <param name="dimensions">The sizes.</param>
-    /// <param name="variant">Where the shoulders hang.</param>
-    /// <returns>A body.</returns>
+    /// <param name="variant">Determines the parent of the shoulders.</param>
+    /// <returns>The body.</returns>
     /// <exception cref="ArgumentException">A size is negative, infinite or not a number.</exception>
     public static SkeletonBody FromDimensions(in BoneDimensions dimensions, SkeletonVariant variant = SkeletonVariant.Neck1) =>
         BodyScaling.Create(dimensions, variant);
 
-    /// <summary>The body behind a pose whose positions are an actor's own: one of a stream with displacement, or of a take.</summary>
-    /// <param name="pose">59 transforms relative to the parent, in <see cref="Bone"/> order; only the positions count.</param>
-    /// <param name="variant">Where the shoulders hang.</param>
-    /// <param name="endSites">As in the constructor: no stream carries them.</param>
-    /// <returns>A body whose hips are as high as the legs are long, above the origin.</returns>
-    /// <exception cref="ArgumentException">There are fewer than 59 transforms, or End Sites but fewer than 59.</exception>
+    /// <summary>Creates the body from a pose with the actor's own positions: a pose of a take, or of a stream with displacement.</summary>
+    /// <param name="pose">59 transforms relative to the parent, in <see cref="Bone"/> order. Only the positions are used.</param>
+    /// <param name="variant">Determines the parent of the shoulders.</param>
+    /// <param name="endSites">End Sites as in the constructor; no stream carries them.</param>
+    /// <returns>A body whose hips are above the origin, as high as the legs are long.</returns>
+    /// <exception cref="ArgumentException">There are fewer than 59 transforms, or from 1 to 58 End Sites.</exception>
     public static SkeletonBody FromPose(
         ReadOnlySpan<BoneTransform> pose,
         SkeletonVariant variant = SkeletonVariant.Neck1,
@@ -87,15 +94,15 @@ public sealed class SkeletonBody
         return Standing(offsets, endSites, variant);
     }
 
-    /// <summary>The place of a bone relative to its parent at rest.</summary>
-    /// <param name="bone">A bone.</param>
+    /// <summary>Gets the offset of a bone from its parent at rest.</summary>
+    /// <param name="bone">The bone.</param>
     /// <returns>Centimetres, in the parent's axes.</returns>
-    /// <exception cref="ArgumentOutOfRangeException">There is no such bone.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">The bone is not defined.</exception>
     public Vector3 GetOffset(Bone bone) => _offsets[BoneHierarchy.CheckedIndex(bone)];
 
-    /// <summary>Writes the body at rest: every rotation zero, arms along X.</summary>
+    /// <summary>Writes the rest pose: every rotation is zero, the arms are along X.</summary>
     /// <param name="pose">Receives 59 transforms relative to the parent.</param>
-    /// <exception cref="ArgumentException">There is less room.</exception>
+    /// <exception cref="ArgumentException">There is no room for 59 transforms.</exception>
     public void CopyRestPose(Span<BoneTransform> pose)
     {
         ForwardKinematics.CheckRoom(pose, nameof(pose));
@@ -103,7 +110,7 @@ public sealed class SkeletonBody
             pose[bone] = new BoneTransform(_offsets[bone], Quaternion.Identity);
     }
 
-    /// <summary>The body's twelve sizes, in metres: <see cref="BoneDimensions.Measure"/>.</summary>
+    /// <summary>Measures the body's twelve sizes, in metres, by <see cref="BoneDimensions.Measure"/>.</summary>
     /// <returns>The sizes.</returns>
     public BoneDimensions Measure()
     {
@@ -112,7 +119,7 @@ public sealed class SkeletonBody
         return BoneDimensions.Measure(pose, Variant, _endSites);
     }
 
-    // Stands the body on the ground, whatever its hips were at.
+    // Puts the body on the ground, whatever the height of its hips was.
     internal static SkeletonBody Standing(Span<Vector3> offsets, ReadOnlySpan<Vector3> endSites, SkeletonVariant variant)
     {
         offsets[(int)Bone.Hips] = Vector3.Zero;

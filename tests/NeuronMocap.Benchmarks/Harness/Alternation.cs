@@ -1,6 +1,6 @@
 namespace NeuronMocap.Benchmarks.Harness;
 
-// Runs the floor and the ways in turn, A B C A B C: what else the machine does then falls on all of them alike.
+// Runs the floor and the ways in turn, A B C A B C. Other load on the machine thus affects all of them equally.
 internal static class Alternation
 {
     public static async Task<List<Row>> RunAsync(string @case, int runs, Way floor, IReadOnlyList<Way> ways, IReadOnlyList<Aim> aims)
@@ -8,7 +8,7 @@ internal static class Alternation
         List<Figures> floors = [];
         List<Figures>[] results = [.. ways.Select(static _ => new List<Figures>())];
 
-        // The first round warms up and is not counted.
+        // The first round is a warm-up and does not count.
         for (int run = 0; run <= runs; run++)
         {
             await MeasureAsync(floor, run, floors);
@@ -31,7 +31,7 @@ internal static class Alternation
 
     private static async Task MeasureAsync(Way way, int run, List<Figures> results)
     {
-        // What an earlier run left behind is not collected during this one.
+        // Keeps garbage of an earlier run from being collected during this one.
         GC.Collect();
         GC.WaitForPendingFinalizers();
         Figures figures = await way.RunAsync();

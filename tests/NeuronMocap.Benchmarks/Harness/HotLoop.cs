@@ -2,7 +2,7 @@ using System.Diagnostics;
 
 namespace NeuronMocap.Benchmarks.Harness;
 
-// What one frame costs on one thread and a hot cache.
+// Measures the cost of one frame on one thread with a hot cache.
 internal static class HotLoop
 {
     public const int Rounds = 200_000;

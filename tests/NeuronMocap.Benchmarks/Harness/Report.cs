@@ -6,14 +6,14 @@ using System.Text.Json;
 
 namespace NeuronMocap.Benchmarks.Harness;
 
-// Prints rows as a table, in Markdown, as they come, and writes all of them as JSON at the end.
+// Prints rows as a Markdown table as they arrive, and writes all of them as JSON at the end.
 internal sealed class Report(string command, FileInfo? json)
 {
     private static readonly JsonSerializerOptions Indented = new() { WriteIndented = true, PropertyNamingPolicy = JsonNamingPolicy.CamelCase };
 
     private readonly List<Row> _rows = [];
 
-    // Which build of the library is measured: net8.0 or netstandard2.1.
+    // The build of the library that is measured: net8.0 or netstandard2.1.
     private static string Build => typeof(NeuronReader).Assembly.GetCustomAttribute<TargetFrameworkAttribute>()!.FrameworkName switch
     {
         ".NETCoreApp,Version=v8.0" => "net8.0",
@@ -44,7 +44,7 @@ internal sealed class Report(string command, FileInfo? json)
         }
     }
 
-    // Returns the exit code: a missed aim is a result, not a failure.
+    // Returns the exit code. A missed aim is a result, not a failure.
     public int End()
     {
         if (json is null)

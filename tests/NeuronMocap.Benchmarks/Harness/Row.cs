@@ -1,6 +1,6 @@
 namespace NeuronMocap.Benchmarks.Harness;
 
-// A figure of one way, over all runs: medians, and the ratio to the floor run by run.
+// A figure of one way over all runs: medians, and the ratio to the floor run by run.
 internal sealed record Row(string Case, string Way, string Figure, double Value, double? Floor, Spread? Ratio, string? Aim, bool? IsMet)
 {
     public static Row From(string @case, string way, string figure, double[] values, double[]? floors, IReadOnlyList<Aim> aims)

@@ -1,6 +1,6 @@
 namespace NeuronMocap.Benchmarks.Harness;
 
-// One of the things that are measured in turn. A run gives figures by name.
+// One of the alternatives that are measured in turn. A run returns figures by name.
 internal sealed record Way(string Name, Func<Task<Figures>> RunAsync)
 {
     public Way(string name, Func<Figures> run)
@@ -9,10 +9,10 @@ internal sealed record Way(string Name, Func<Task<Figures>> RunAsync)
     }
 }
 
-// The figures of one run: name, with its unit, and value.
+// The figures of one run: name with unit, and value.
 internal sealed class Figures : Dictionary<string, double>;
 
-// What a figure has to reach: by itself, or as a ratio to the floor's figure of the same name.
+// The limit for a figure: absolute, or as a ratio to the floor's figure of the same name.
 internal sealed record Aim(string Figure, double Limit, bool IsRatio = false, bool IsLowerBound = false, string? Way = null)
 {
     public bool IsMetBy(double value) => IsLowerBound ? value >= Limit : value <= Limit;

@@ -9,8 +9,8 @@ using NeuronMocap.Skeleton;
 
 namespace NeuronMocap.Benchmarks.Macro;
 
-// The server to its clients, which are in another process; the floor is a thread for each client that sends the same bytes and does nothing
-// else. At a rate the cost of a frame is compared, flat out the number of frames.
+// The server and its clients, which run in another process. The floor is a thread for each client that sends the same bytes and nothing else. At a
+// fixed rate, the cost of a frame is compared. At full speed, the number of frames is compared.
 internal static class Broadcast
 {
     private const double Rate = 120;
@@ -107,7 +107,7 @@ internal static class Broadcast
         cpu = Environment.CpuUsage.TotalTime - cpu;
         await completion();
 
-        // The first client starts the frames; the others miss those that were sent while they connected.
+        // The first client starts the frames. The others miss the frames sent while they connect.
         bool all = received >= frames - (Rate * count / 100) - 12;
         return new Figures { [Cost] = cpu.TotalMicroseconds / (received * count), ["lost"] = all ? 0 : frames - received };
     }
@@ -141,7 +141,7 @@ internal static class Broadcast
         return (long.Parse(parts[0], CultureInfo.InvariantCulture), double.Parse(parts[1], CultureInfo.InvariantCulture));
     }
 
-    // A performance that costs nothing to make, as the raw loop's does.
+    // Its frames cost nothing to create, like those of the raw loop.
     private sealed class StillSource : Server.MotionSource
     {
         public override double FrameRate => Rate;

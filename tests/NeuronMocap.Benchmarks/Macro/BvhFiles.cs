@@ -6,7 +6,7 @@ using NeuronMocap.Skeleton;
 
 namespace NeuronMocap.Benchmarks.Macro;
 
-// A file as Axis Neuron writes it, 100 MB unless told otherwise, read on one thread; the floor reads it, too, and looks at every byte.
+// Reads a file as Axis Neuron writes it, 100 MB by default, on one thread. The floor also reads it and looks at every byte.
 internal static class BvhFiles
 {
     private const int PieceSize = 1 << 17;
@@ -55,7 +55,7 @@ internal static class BvhFiles
         return new Figures { ["MB/s"] = new FileInfo(path).Length / Megabyte / seconds, ["B/row"] = allocated / (double)rows };
     }
 
-    // The rows of the file that it begins with, again and again.
+    // Repeats the rows at the start of the file.
     private static Figures MeasureWriting(string path)
     {
         using var reader = BvhReader.Open(path);
@@ -96,7 +96,7 @@ internal static class BvhFiles
         return reader.FrameCount;
     }
 
-    // Every line is a row, apart from those above the first one.
+    // Every line is a row, except the lines above the first row.
     private static long AddBytes(string path)
     {
         using var stream = new FileStream(path, FileMode.Open, FileAccess.Read, FileShare.Read, bufferSize: 1, FileOptions.SequentialScan);
@@ -113,7 +113,7 @@ internal static class BvhFiles
 
     private static int Write(string path, long length)
     {
-        // The length of the heading depends on the number of rows, which its own first draft tells well enough.
+        // The length of the heading depends on the number of rows. A first draft of the heading gives a good estimate.
         var random = new Random(1);
         string[] rows = [.. Enumerable.Range(0, 500).Select(row => Row(row, random))];
         double rowLength = rows.Average(row => row.Length);
@@ -130,7 +130,7 @@ internal static class BvhFiles
         BvhHierarchyText.Create(SkeletonFormat.Default, new ChannelLayout(hasDisplacement: true, hasReference: false))
         + FormattableString.Invariant($"MOTION\r\n\r\nFrames: {rows}\r\nFrame Time: 0.008\r\n");
 
-    // Positions of tens of centimetres and turns of up to half a circle.
+    // Positions of tens of centimetres and rotations of up to half a circle.
     private static string Row(int row, Random random) => string.Concat(Enumerable.Range(0, 354).Select(index =>
         ((random.NextDouble() - 0.5) * (index % 6 < 3 ? 60 : 360) + Math.Sin(row * 0.01)).ToString("F6", CultureInfo.InvariantCulture) + " ")) + "\r\n";
 }

@@ -6,7 +6,7 @@ using NeuronMocap.Reader;
 
 namespace NeuronMocap.Benchmarks.Macro;
 
-// The whole way of a frame without a network, on one thread and a hot cache: scan, count, decode the header, publish, take.
+// The whole path of a frame without a network, on one thread with a hot cache: scan, count, decode the header, publish, take.
 internal static class Decode
 {
     private const int Rounds = 2_000_000;

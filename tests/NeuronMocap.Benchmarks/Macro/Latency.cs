@@ -6,7 +6,7 @@ using NeuronMocap.Benchmarks.Peers;
 
 namespace NeuronMocap.Benchmarks.Macro;
 
-// One frame at a time: from just before the sender hands it to the system until the handler runs. Both processes read the same clock.
+// One frame at a time, from just before the sender passes it to the system until the handler runs. Both processes read the same clock.
 internal static class Latency
 {
     private const string Median = "median µs";
@@ -69,7 +69,7 @@ internal static class Latency
 
     private static double Microseconds(ReadOnlySpan<byte> values, long now) => (now - TestFrame.GetTime(values)) * 1e6 / Stopwatch.Frequency;
 
-    // Without the first tenth, in which code is still compiled.
+    // Omits the first tenth, in which code is still being compiled.
     private static Figures ToFigures(List<double> delays)
     {
         double[] sorted = [.. delays.Skip(delays.Count / 10).Order()];

@@ -4,7 +4,7 @@ using NeuronMocap.Benchmarks.Peers;
 
 namespace NeuronMocap.Benchmarks.Macro;
 
-// The C library against a receiver in C that parses nothing, both as processes of their own: programs of tests/native.
+// Compares the C library with a C receiver that parses nothing. Both are processes of their own, programs of tests/native.
 internal sealed class Native(DirectoryInfo programs, int runs, Report report)
 {
     private const string Rate = "frames/s";
@@ -66,7 +66,7 @@ internal sealed class Native(DirectoryInfo programs, int runs, Report report)
         report.Add(await Alternation.RunAsync(@case, runs, raw, [library], aims ?? Aims));
     }
 
-    // Checked, the receiver adds up all words of the stream, as the sender does.
+    // In checked mode, the receiver adds up all words of the stream, as the sender does.
     private static async Task<Figures> FloodAsync(FileInfo program, string mode, int perWrite, int frames)
     {
         using Peer sender = await Peer.StartAsync("flood", "--per-write", Peer.Text(perWrite), "--frames", Peer.Text(frames));
@@ -118,7 +118,7 @@ internal sealed class Native(DirectoryInfo programs, int runs, Report report)
         };
     }
 
-    // Without the first tenth, as in the other latencies. The floor takes two frames that came as one for none, so it may miss some.
+    // Omits the first tenth, as in the other latencies. The floor does not count two frames that arrive together, so it may miss some.
     private static Figures ToFigures(string[] nanoseconds, long frames, bool isWhole)
     {
         double[] sorted = [.. nanoseconds.Skip(nanoseconds.Length / 10).Select(static text => double.Parse(text, CultureInfo.InvariantCulture) / 1e3).Order()];

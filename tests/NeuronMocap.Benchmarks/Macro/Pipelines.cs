@@ -7,7 +7,7 @@ namespace NeuronMocap.Benchmarks.Macro;
 
 internal static class Pipelines
 {
-    // What a reader makes for itself, without a network. No frame may come to a handler that throws.
+    // What a reader creates for itself, without a network. Handlers throw, because no frame may reach them.
     public static ReceivePipeline Create()
     {
         var status = new StatusPublisher(static _ => { });

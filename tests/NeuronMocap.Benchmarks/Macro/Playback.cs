@@ -5,7 +5,7 @@ using NeuronMocap.Recording;
 
 namespace NeuronMocap.Benchmarks.Macro;
 
-// How late each frame of a recording comes to a handler, against the instant at which it is due, and what share of a processor the process needs.
+// How late each frame of a recording reaches a handler after it is due, and the processor time that the process needs.
 internal static class Playback
 {
     private const double FrameRate = 120;

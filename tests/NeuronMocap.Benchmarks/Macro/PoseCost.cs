@@ -6,7 +6,7 @@ using NeuronMocap.Skeleton;
 
 namespace NeuronMocap.Benchmarks.Macro;
 
-// What one frame costs from its values to whatever is computed of it, on one thread and a hot cache.
+// The cost of one frame from its values to each computed result, on one thread with a hot cache.
 internal static class PoseCost
 {
     private const int Frames = 64;

@@ -3,7 +3,7 @@ using System.Net.Sockets;
 
 namespace NeuronMocap.Benchmarks.Macro;
 
-// The floor of all that comes over a network: blocking receives into one buffer, nothing parsed.
+// The floor of all network cases: blocking receives into one buffer, without parsing.
 internal static class RawReceiver
 {
     public const int BufferSize = 256 * 1024;

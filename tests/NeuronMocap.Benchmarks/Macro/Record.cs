@@ -7,8 +7,8 @@ using NeuronMocap.Recording;
 
 namespace NeuronMocap.Benchmarks.Macro;
 
-// What a recording costs the receive thread: frames to a callback, with and without one, on a hot cache. The frames of a batch find room in the
-// recording's queue, and the next batch comes when they are written, to nowhere: the disk is not what is measured.
+// The cost of a recording for the receive thread: frames to a callback, with and without a recording, on a hot cache. The frames of a batch fit into
+// the recording's queue, and the next batch follows when they are written. They are written to a null stream, because the disk is not measured.
 internal static class Record
 {
     private const int Batch = 2_000;

@@ -6,7 +6,7 @@ using NeuronMocap.Skeleton;
 
 namespace NeuronMocap.Benchmarks.Macro;
 
-// What one frame of one actor costs on a Humanoid character with all bones, twist bones and turned rest rotations.
+// The cost of one frame of one actor on a Humanoid character with all bones, twist bones and turned rest rotations.
 internal static class RetargetCost
 {
     private const int Frames = 64;
@@ -40,7 +40,7 @@ internal static class RetargetCost
         return options;
     }
 
-    // As high as the default body; a node between every two bones of arms and legs, as many characters have them.
+    // As tall as the default body, with a twist node between every two bones of arms and legs, as many characters have.
     private static TargetRig CreateRig(float armatureHeight)
     {
         var random = new Random(1);
@@ -60,7 +60,7 @@ internal static class RetargetCost
                 way /= 2;
             }
 
-            // Places stay those of the T-pose only where nothing is turned: for a measurement that does not matter but in the legs.
+            // Turned bones move the joints out of the T-pose. That matters to this measurement only in the legs.
             bool isTurned = HumanoidBones.GetPart(bone) is not (BodyParts.Hips or BodyParts.LeftLeg or BodyParts.RightLeg);
             Quaternion rotation = isTurned ? Quaternion.CreateFromYawPitchRoll(random.NextSingle(), random.NextSingle(), random.NextSingle()) : Quaternion.Identity;
             nodes.Add(new RigNode(bone.ToString(), parent, way, rotation));

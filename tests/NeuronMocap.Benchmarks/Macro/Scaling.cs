@@ -6,7 +6,7 @@ using NeuronMocap.Reader;
 
 namespace NeuronMocap.Benchmarks.Macro;
 
-// What more avatars in one stream, and more consumers of it, cost: on one thread, without a network. The floor is one of them.
+// The cost of more avatars in one stream, and of more consumers, on one thread without a network. The floor is one of each.
 internal static class Scaling
 {
     private const int Frames = 400_000;

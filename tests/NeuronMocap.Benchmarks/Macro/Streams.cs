@@ -4,7 +4,7 @@ using NeuronMocap.Benchmarks.Peers;
 
 namespace NeuronMocap.Benchmarks.Macro;
 
-// Many servers at an ordinary rate, each with a reader of its own, all in this process; the floor is one of them.
+// Many servers at an ordinary rate, each with its own reader, all in this process. The floor is one of them.
 internal static class Streams
 {
     private const string Cost = "CPU µs/frame";
@@ -70,7 +70,7 @@ internal static class Streams
         };
     }
 
-    // What is reachable, by the collector's own account: it is exact after a collection that compacts.
+    // The collector's own count of reachable memory. It is exact after a compacting collection.
     private static long LiveHeap()
     {
         GC.Collect(GC.MaxGeneration, GCCollectionMode.Aggressive, blocking: true, compacting: true);

@@ -5,13 +5,13 @@ using NeuronMocap.Benchmarks.Peers;
 
 namespace NeuronMocap.Benchmarks.Macro;
 
-// One TCP sender in its own process against one receiver: a raw socket that parses nothing, then each way of delivery, in turn.
+// One TCP sender in its own process and one receiver: a raw socket that parses nothing, then each way of delivery in turn.
 internal static class Throughput
 {
     private const string Rate = "frames/s";
     private const string Cpu = "CPU ns/frame";
 
-    // A game's main loop is slower and its frames are fewer: this one looks every millisecond, and has room for what comes meanwhile.
+    // A game's main loop is slower and has fewer frames. This loop polls every millisecond, and the queue has room for the frames in between.
     private const int QueueCapacity = 16 * 1024;
 
     private static readonly Aim[] Aims =
@@ -70,7 +70,7 @@ internal static class Throughput
         long allocated = 0;
         reader.MotionReceived += _ =>
         {
-            // Between the first thousand frames and the last: connecting and ending allocate.
+            // Measured from the thousandth frame to the last, because connecting and ending allocate.
             if (++counted == 1000)
                 allocatedBefore = GC.GetTotalAllocatedBytes(precise: true);
             if (counted == frames)
@@ -100,7 +100,7 @@ internal static class Throughput
         return ToFigures(reader, cpu, frames, counted);
     }
 
-    // Newer frames replace older ones on purpose, so only what was not received is lost.
+    // Newer frames replace older ones by design, so only frames that were not received count as lost.
     private static async Task<Figures> NewestAsync(int perWrite, int frames)
     {
         using Peer sender = await StartSenderAsync(perWrite, frames);

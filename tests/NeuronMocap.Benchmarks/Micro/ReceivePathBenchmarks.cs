@@ -9,11 +9,11 @@ using NeuronMocap.Skeleton;
 
 namespace NeuronMocap.Benchmarks.Micro;
 
-/// <summary>The steps of the receive path one by one, on a frame in the processor's cache, against a plain copy of the same bytes.</summary>
+/// <summary>The steps of the receive path one by one, on a frame in the processor's cache, compared with a plain copy of the same bytes.</summary>
 [MemoryDiagnoser]
 public class ReceivePathBenchmarks
 {
-    // In this process: the project it would generate does not know which build of the library is measured.
+    // Runs in this process, because a generated project would not know which build of the library is measured.
     internal static IConfig Config => DefaultConfig.Instance
         .AddJob(Job.ShortRun.WithToolchain(InProcessEmitToolchain.Instance))
         .WithArtifactsPath(Path.Combine(Path.GetTempPath(), "NeuronMocap.Benchmarks"));

@@ -4,7 +4,7 @@ using System.Runtime.InteropServices;
 
 namespace NeuronMocap.Benchmarks.Peers;
 
-// Sends one client so many frames as fast as they are taken, prints the sum of all 32-bit words that it sent, and ends.
+// Sends a number of frames to one client as fast as the client takes them, prints the sum of all 32-bit words sent, and ends.
 internal static class FloodSender
 {
     public static void Run(int perWrite, int frames)

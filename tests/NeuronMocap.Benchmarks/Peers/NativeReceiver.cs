@@ -3,7 +3,7 @@ using System.Globalization;
 
 namespace NeuronMocap.Benchmarks.Peers;
 
-// A receiver of tests/native/bench: the library's, or the floor. It prints figures, a name and a number each, or delays alone.
+// A receiver of tests/native/bench: the library's, or the floor. It prints figures as name and number, or only delays.
 internal sealed class NativeReceiver : IDisposable
 {
     private readonly Process _process;

@@ -4,8 +4,8 @@ using System.Net.Sockets;
 
 namespace NeuronMocap.Benchmarks.Peers;
 
-// Sends every one of its clients a frame at a time, at a rate, each stamped just before it is sent. The clients' frames are spread over the
-// period, as those of servers that know nothing of each other.
+// Sends frames to each of its clients one at a time, at a rate, and stamps each frame just before sending. The clients' frames are spread over the
+// period, like those of independent servers.
 internal static class PacedSender
 {
     private const int MaxSlices = 16;
@@ -31,7 +31,7 @@ internal static class PacedSender
         }
     }
 
-    // Datagrams, to a port of this machine on which somebody waits already.
+    // Sends datagrams to a port of this machine where a receiver is already waiting.
     public static void RunUdp(int port, double rate, double seconds)
     {
         using var socket = new Socket(AddressFamily.InterNetwork, SocketType.Dgram, ProtocolType.Udp);

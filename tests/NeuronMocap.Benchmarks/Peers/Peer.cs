@@ -3,7 +3,7 @@ using System.Globalization;
 
 namespace NeuronMocap.Benchmarks.Peers;
 
-// The other end of the wire, in a process of its own: this program with one of its hidden commands, which prints its port first.
+// The other end of the wire in its own process: this program with one of its hidden commands, which first prints its port.
 internal sealed class Peer : IDisposable
 {
     private readonly Process _process;

@@ -5,8 +5,8 @@ using System.Net.Sockets;
 
 namespace NeuronMocap.Benchmarks.Peers;
 
-// Clients of a server, in a process of their own: each reads until the server closes. Prints when all are connected, and at the end the
-// frames that the worst one got and the seconds between the first bytes and the last.
+// Clients of a server, in their own process. Each reads until the server closes. Prints when all are connected. At the end, prints the frames of the
+// client that got fewest, and the seconds between the first and last bytes.
 internal static class Sinks
 {
     public static void Run(int port, int connections, bool withIdler)

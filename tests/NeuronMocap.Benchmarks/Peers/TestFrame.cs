@@ -3,7 +3,7 @@ using NeuronMocap.Protocol;
 
 namespace NeuronMocap.Benchmarks.Peers;
 
-// A motion packet with displacement: 354 values, 1480 bytes. The first eight bytes of its values carry a time stamp where one is asked for.
+// A motion packet with displacement: 354 values, 1480 bytes. On request, the first eight bytes of its values carry a time stamp.
 internal static class TestFrame
 {
     public const int Size = 1480;
@@ -12,7 +12,7 @@ internal static class TestFrame
 
     private const int IndexOffset = 46;
 
-    // Values: any number; other values for another one, none of them for 0.
+    // values: a number that determines the values. 0 leaves them all zero.
     public static byte[] Create(int avatar = 0, int values = 0)
     {
         byte[] packet = new byte[Size];
@@ -23,7 +23,7 @@ internal static class TestFrame
 
     public static void SetIndex(Span<byte> packet, uint index) => BinaryPrimitives.WriteUInt32LittleEndian(packet[IndexOffset..], index);
 
-    // What it adds to the sum of all 32-bit words: its halves lie in two of them.
+    // What the index adds to the sum of all 32-bit words. Its halves are in two of them.
     public static ulong SumOfIndex(uint index) => ((ulong)(index & 0xFFFF) << 16) + (index >> 16);
 
     public static void SetTime(Span<byte> packet, long ticks) => BinaryPrimitives.WriteInt64LittleEndian(packet[HeaderSize..], ticks);

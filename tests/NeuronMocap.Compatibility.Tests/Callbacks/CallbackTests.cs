@@ -8,7 +8,7 @@ using NeuronMocap.Tests.Network;
 
 namespace NeuronMocap.Compatibility.Tests.Callbacks;
 
-// One callback of each kind for the process: registered, replaced, unregistered, throwing.
+// The process has one callback of each kind: registered, replaced, unregistered, throwing.
 public sealed class CallbackTests
 {
     [Fact]
@@ -70,7 +70,7 @@ public sealed class CallbackTests
         Assert.Equal([31, 32], objects);
     }
 
-    // As with the managed wrapper, whose callbacks are public fields.
+    // Like the managed wrapper, whose callbacks are public fields.
     [Fact]
     public async Task A_callback_may_be_added_to_the_field()
     {
@@ -90,7 +90,7 @@ public sealed class CallbackTests
         Assert.Equal([CallbackLog.FrameObject], objects);
     }
 
-    // Another namespace is another library.
+    // The other namespace acts as another library.
     [Fact]
     public async Task Each_namespace_has_its_own_callbacks_and_connections()
     {
@@ -115,7 +115,7 @@ public sealed class CallbackTests
         NeuronDataReaderManaged.NeuronDataReader.BRRegisterFrameDataCallback(IntPtr.Zero, null);
     }
 
-    // In the native library such a delegate is collected, and the next frame ends the process.
+    // In the native library, such a delegate is collected, and the next frame ends the process.
     [Fact]
     public async Task A_registered_delegate_is_not_collected()
     {
@@ -194,7 +194,7 @@ public sealed class CallbackTests
         Assert.StartsWith("NeuronMocap: a callback of the application threw: ", written.ToString(), StringComparison.Ordinal);
     }
 
-    // In a copy of the library that nothing has happened to yet.
+    // In a fresh copy of the library.
     [Fact]
     public void There_is_no_error_at_first()
     {
@@ -255,7 +255,7 @@ public sealed class CallbackTests
             return list.Count;
     }
 
-    // Takes all handlers of failures away for a while.
+    // Removes all handlers of failures for a while.
     private sealed class Unheard : IDisposable
     {
         private static readonly FieldInfo Field = typeof(CompatibilityEvents).GetField(nameof(CompatibilityEvents.CallbackFailed), BindingFlags.Static | BindingFlags.NonPublic)!;

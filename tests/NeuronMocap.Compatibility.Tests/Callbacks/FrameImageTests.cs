@@ -10,10 +10,10 @@ using NeuronMocap.Tests.Network;
 
 namespace NeuronMocap.Compatibility.Tests.Callbacks;
 
-// What lies behind the pointers, byte for byte.
+// The memory behind the pointers, byte for byte.
 public sealed class FrameImageTests
 {
-    // Programs may keep the address of the first frame and look there whenever they like.
+    // Programs may keep the address of the first frame and read it at any time.
     [Fact]
     public async Task Packets_of_any_size_use_one_address_per_connection()
     {
@@ -63,7 +63,7 @@ public sealed class FrameImageTests
         using var log = new CallbackLog();
         using PacketServer server = await PacketServer.ConnectAsync(log);
 
-        // The second is received into memory that is there already.
+        // The second packet is received into memory that exists already.
         await server.SendAsync(TestPackets.Motion(1, count: 180), packet, packet);
         await log.FramesAsync(3);
 
@@ -149,7 +149,7 @@ public sealed class FrameImageTests
         Assert.Empty(log.CalculationFrames);
     }
 
-    // Any split, a sender each: a frame of macOS comes in two datagrams.
+    // Any split, with a sender each: macOS sends a frame in two datagrams.
     [Fact]
     public async Task Datagrams_are_joined_for_each_sender()
     {

@@ -4,7 +4,7 @@ using NeuronMocap.Compatibility.Tests.Infrastructure;
 
 namespace NeuronMocap.Compatibility.Tests.Callbacks;
 
-// Streams that the vendor's library does not read, in the images that its programs understand.
+// Streams that the vendor's library cannot read, in images that its programs understand.
 public sealed class TextFrameTests
 {
     [Fact]
@@ -40,7 +40,7 @@ public sealed class TextFrameTests
         Assert.Equal(945f, log.CalculationFrames[1].Values[945]);
     }
 
-    // Written by a foreign encoder. Axis Studio's calculation packets have no callback in the vendor's library.
+    // Written by a foreign encoder. The vendor's library has no callback for Axis Studio's calculation packets.
     [Theory]
     [InlineData("old-354")]
     [InlineData("new-186")]

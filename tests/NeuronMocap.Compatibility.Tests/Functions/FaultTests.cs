@@ -7,7 +7,7 @@ using NeuronMocap.Tests.Network;
 
 namespace NeuronMocap.Compatibility.Tests.Functions;
 
-// What goes wrong inside is the function's failure and the last error, and nothing else: in C an exception would end the process.
+// An internal fault is reported only as the function's failure and the last error. In C, an exception would end the process.
 public sealed class FaultTests
 {
     public static TheoryData<Exception> Faults => new((Exception[])
@@ -30,7 +30,7 @@ public sealed class FaultTests
         Assert.True(fault is OutOfMemoryException ? text.Contains("memory", StringComparison.Ordinal) : text.StartsWith("TheFunction failed because of an error in the library: ", StringComparison.Ordinal), text);
     }
 
-    // It belongs to the program, which interrupts its own threads.
+    // The exception belongs to the program, which interrupts its own threads.
     [Fact]
     public void ThreadInterruptedException_is_rethrown() =>
         Assert.Throws<ThreadInterruptedException>(static () => FunctionGuard.Call(0, static _ => throw new ThreadInterruptedException(), failure: 0));
@@ -58,7 +58,7 @@ public sealed class FaultTests
         NeuronDataReader.BRCloseSocket(handle);
         Assert.StartsWith("BRCloseSocket failed", NeuronDataReader.strBRGetLastErrorMessage(), StringComparison.Ordinal);
 
-        // On threads of its own, where an exception would end the process.
+        // Runs on its own threads, where an exception would end the process.
         LastErrorReset();
         Assert.True(VendorSession.End(Limits.Unexpected));
         SocketTable.Remove(socket);
@@ -79,7 +79,7 @@ public sealed class FaultTests
         Assert.Equal((1, 1), (first.Released, second.Released));
     }
 
-    // On the receive thread, on the one that tells the end, and on those that connect and close.
+    // On the receive thread, on the thread that reports the end, and on threads that connect and close.
     [Theory]
     [MemberData(nameof(CallbackMembers))]
     public async Task A_fault_around_a_callback_keeps_the_thread_and_connection_alive(string member)

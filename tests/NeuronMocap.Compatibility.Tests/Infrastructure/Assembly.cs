@@ -1,2 +1,2 @@
-// The callbacks under test are one set for the whole process.
+// The process has only one set of the callbacks under test.
 [assembly: CollectionBehavior(DisableTestParallelization = true)]

@@ -29,7 +29,7 @@ internal sealed record LoggedStatus(IntPtr CustomObject, IntPtr Socket, SocketSt
     public string Line => $"{(int)Status} {Text}";
 }
 
-/// <summary>Registers all callbacks and keeps what they are given; unregisters and closes at the end.</summary>
+/// <summary>Registers all callbacks and keeps what they receive. Unregisters and closes at the end.</summary>
 internal sealed class CallbackLog : IDisposable
 {
     public static readonly IntPtr FrameObject = 11;
@@ -46,8 +46,8 @@ internal sealed class CallbackLog : IDisposable
     private readonly List<Exception> _failures = [];
     private readonly HashSet<IntPtr> _sockets = [];
 
-    /// <summary>Begins to log.</summary>
-    /// <param name="isPatient">Whether closing waits for a callback that runs until it ends, and not as short as usual.</param>
+    /// <summary>Starts to log.</summary>
+    /// <param name="isPatient">Whether closing waits until a running callback ends, instead of the usual short time.</param>
     public CallbackLog(bool isPatient = false)
     {
         VendorSocket.CloseTimeout = isPatient ? Limits.Unexpected : UsualPatience;
@@ -57,10 +57,10 @@ internal sealed class CallbackLog : IDisposable
         CompatibilityEvents.CallbackFailed += OnFailed;
     }
 
-    /// <summary>Called with the handle, in the callback, after the frame was kept.</summary>
+    /// <summary>Called with the handle, in the callback, after the frame is kept.</summary>
     public Action<IntPtr>? OnFrame { get; set; }
 
-    /// <summary>Called in the callback, after the status was kept.</summary>
+    /// <summary>Called in the callback, after the status is kept.</summary>
     public Action<LoggedStatus>? OnStatus { get; set; }
 
     public IReadOnlyList<LoggedFrame> Frames => Copy(_frames);

@@ -4,7 +4,7 @@ using NeuronMocap.Compatibility.Callbacks;
 
 namespace NeuronMocap.Compatibility.Tests.Infrastructure;
 
-/// <summary>Callbacks one member of which throws, whatever it is asked.</summary>
+/// <summary>Callbacks with one member that always throws.</summary>
 [SuppressMessage("Performance", "CA1852", Justification = "The proxy derives from it.")]
 internal class FaultyCallbacks : DispatchProxy
 {

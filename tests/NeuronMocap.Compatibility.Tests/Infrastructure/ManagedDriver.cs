@@ -8,7 +8,7 @@ using NeuronMocap.Tests.Vendor;
 
 namespace NeuronMocap.Compatibility.Tests.Infrastructure;
 
-/// <summary>The vendor's functions as C# programs have them, by the same lines as driver.c. A thread stands for the program's main one.</summary>
+/// <summary>The vendor's functions as C# programs call them, with the same lines as driver.c. A thread acts as the program's main thread.</summary>
 internal sealed class ManagedDriver : VendorDriver
 {
     private readonly BlockingCollection<string> _calls = [];
@@ -60,7 +60,7 @@ internal sealed class ManagedDriver : VendorDriver
 
     protected override Task<string> ReadAsync() => _lines.Reader.ReadAsync(TestContext.Current.CancellationToken).Soon();
 
-    // As when a process ends: nobody is told any more.
+    // As when a process ends: no callback is called any more.
     private async Task StopAsync()
     {
         NeuronDataReader.BRRegisterFrameDataCallback(IntPtr.Zero, null);
@@ -182,7 +182,7 @@ internal sealed class ManagedDriver : VendorDriver
         return handle;
     }
 
-    // What the call made of room for so many bytes that are all 'x' before, and of one more that is not its.
+    // Returns what the call wrote to a buffer of so many 'x' bytes, and to the byte after it, which it must not touch.
     private static string AskForHeader(IntPtr handle, int avatar, int length)
     {
         byte[] room = [.. Enumerable.Repeat((byte)'x', Math.Max(0, length) + 1)];
@@ -213,6 +213,6 @@ internal sealed class ManagedDriver : VendorDriver
 
     private static int Number(string word) => int.Parse(word, CultureInfo.InvariantCulture);
 
-    // A line that a callback of a kind runs when its text begins so: once, or whenever it is called.
+    // A line to run when a callback of a kind receives a text with this start: once, or every time.
     private sealed record Reaction(string Kind, string Text, string Line, bool Once);
 }

@@ -2,7 +2,7 @@ using NeuronMocap.Tests.Network;
 
 namespace NeuronMocap.Compatibility.Tests.Infrastructure;
 
-/// <summary>A server that sends what a test tells it to, and the connection that a log has to it.</summary>
+/// <summary>A server that a test controls, and the connection of a log to it.</summary>
 internal sealed class PacketServer : IDisposable
 {
     private readonly TestServer _server;

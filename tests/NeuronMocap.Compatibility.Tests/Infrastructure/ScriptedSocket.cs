@@ -3,7 +3,7 @@ using NeuronMocap.Compatibility.Sockets;
 
 namespace NeuronMocap.Compatibility.Tests.Infrastructure;
 
-/// <summary>A socket of the table that does what a test tells it to; all of one name are the same to the table.</summary>
+/// <summary>A socket of the table that a test controls. The table treats sockets with the same name as equal.</summary>
 internal sealed class ScriptedSocket(string name) : VendorSocket
 {
     public Action? Opening { get; init; }

@@ -3,7 +3,7 @@ using NeuronMocap.Tests.Mono;
 
 namespace NeuronMocap.Compatibility.Tests.Mono;
 
-/// <summary>BVH files that Mono writes: its own conversions between floats and text round twice, and the library uses none of them.</summary>
+/// <summary>BVH files written on Mono. Mono's conversions between floats and text round twice, so the library does not use them.</summary>
 public sealed class MonoBvhTests
 {
     private const string Hierarchy = "HIERARCHY\nROOT A\n{\nOFFSET 0 0 0\nCHANNELS 1 Xposition\n}\nMOTION\nFrames: 0\nFrame Time: 0.008\n";
@@ -82,7 +82,7 @@ public sealed class MonoBvhTests
         Assert.Equal([$"{SumOfWritten()}", "0"], await program.RunAsync(Hierarchy));
     }
 
-    // Numbers as no writer of ours has them: any digits, exponents, halves between two floats, and what other programs call no number.
+    // Numbers that our own writers never produce: any digits, exponents, halves between two floats, and other programs' texts for NaN.
     [Fact]
     public async Task Mono_reads_any_text_as_the_same_values()
     {
@@ -122,7 +122,7 @@ public sealed class MonoBvhTests
         }
     }
 
-    // As the program does it.
+    // The same computation as in the program.
     private static uint SumOfWritten()
     {
         BvhDocument empty = BvhDocument.Parse(System.Text.Encoding.ASCII.GetBytes(Hierarchy));

@@ -8,14 +8,14 @@ using NeuronMocap.Tests.Server;
 
 namespace NeuronMocap.Compatibility.Tests.Mono;
 
-/// <summary>The reader, the player and the broadcaster on Mono: its sockets, threads and tasks are other code than .NET's.</summary>
+/// <summary>The reader, the player and the broadcaster on Mono, whose sockets, threads and tasks differ from those of .NET.</summary>
 public sealed class MonoReaderTests(ITestOutputHelper output)
 {
     private const int Frames = 200;
     private const int Connections = 10;
     private const int FramesAtATime = Frames / Connections;
 
-    // For tests never to fail of a busy computer: what a stop takes is a few milliseconds, and it is printed.
+    // Large, so that tests do not fail on a busy computer. A stop takes a few milliseconds, and the time is printed.
     private const double LongestStop = 1000;
 
     [Fact]
@@ -40,7 +40,7 @@ public sealed class MonoReaderTests(ITestOutputHelper output)
         string all = $"{Frames} {SumOf(SourceValues())} 0 0";
         Assert.Equal(["tcp " + all, "udp " + all, $"again {Frames} {SumOf(TestPacketValues())} 0 0"], lines[..^1]);
 
-        // The last one may have been made once more.
+        // The last connection may be repeated.
         Assert.InRange(int.Parse(lines[^1], CultureInfo.InvariantCulture), Connections - 1, Connections);
     }
 
@@ -82,7 +82,7 @@ public sealed class MonoReaderTests(ITestOutputHelper output)
         FrameRate = BroadcasterOptions.MaxFrameRate,
     };
 
-    // Where the program listens, it tells over a connection.
+    // The program reports its port over a connection.
     private static async Task<Broadcaster> BroadcastToAsync(TestServer asking)
     {
         using TestConnection connection = await asking.AcceptAsync();

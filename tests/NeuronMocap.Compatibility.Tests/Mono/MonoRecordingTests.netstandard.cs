@@ -4,7 +4,9 @@ using NeuronMocap.Tests.Network;
 
 namespace NeuronMocap.Compatibility.Tests.Mono;
 
-/// <summary>Recordings that Mono writes, reads and plays, and one that .NET wrote: checksums, Deflate, senders and clocks are other code there.</summary>
+/// <summary>
+/// Recordings that Mono writes, reads and plays, and one written by .NET. Checksums, Deflate, senders and clocks have other implementations there.
+/// </summary>
 public sealed class MonoRecordingTests : IDisposable
 {
     private const string Program =

@@ -9,7 +9,7 @@ public sealed class MonoTests
 {
     private const int Frames = 500;
 
-    // What Unity's editor does with scripts that forget to close, when it reloads them.
+    // What Unity's editor does when it reloads scripts that forget to close.
     private const string ReloadingProgram =
         """
         using System;

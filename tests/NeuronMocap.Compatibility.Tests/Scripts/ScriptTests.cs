@@ -10,7 +10,7 @@ using UserScripts;
 
 namespace NeuronMocap.Compatibility.Tests.Scripts;
 
-// Programs as users wrote them, against the simulator: every frame arrives, whole and with the right values.
+// Programs as users wrote them, with the simulator: every frame arrives complete and with correct values.
 public sealed class ScriptTests
 {
     private const int Frames = 200;
@@ -145,7 +145,7 @@ public sealed class ScriptTests
         }
     }
 
-    // The server of that time answers on the data connection.
+    // Servers of that generation answer on the data connection.
     [Fact]
     public async Task A_script_of_b12_gets_answers_to_its_commands_between_frames()
     {
@@ -157,7 +157,7 @@ public sealed class ScriptTests
             using TestConnection connection = await server.AcceptAsync();
             Assert.True(script.AskForEverything(3));
 
-            // Numbers 0, 3, 6 and 4 of avatar 3; 7 and 8 about number 6; number 5.
+            // Commands 0, 3, 6 and 4 of avatar 3; commands 7 and 8 about command 6; command 5.
             byte[] requests = new byte[7 * 64];
             for (int read = 0; read < requests.Length;)
                 read += await connection.Socket.ReceiveAsync(requests.AsMemory(read), SocketFlags.None, TestContext.Current.CancellationToken).Soon();
@@ -218,7 +218,7 @@ public sealed class ScriptTests
         }
     }
 
-    // As the C functions of b18 are used: a stream, and a second connection for commands.
+    // The way programs use the C functions of b18: a stream, and a second connection for commands.
     [Fact]
     public async Task A_script_with_a_command_connection_turns_the_simulators_actor()
     {

@@ -8,12 +8,12 @@ using NeuronMocap.Tests.Network;
 
 namespace NeuronMocap.Compatibility.Tests.Sockets;
 
-// Closing while a callback waits, as in every program whose callback asks its user interface's thread to do something.
+// Closes while a callback waits, as in every program whose callback asks the thread of its user interface to do something.
 public sealed class BlockedCallbackTests : IDisposable
 {
     private const int Rounds = 5;
 
-    // A callback that waits for the thread that closes would have held it up for 2 s.
+    // A callback that waits for the closing thread would have blocked it for 2 s.
     private static readonly TimeSpan LetGo = TimeSpan.FromSeconds(1);
 
     private readonly ManualResetEventSlim _release = new();
@@ -71,7 +71,7 @@ public sealed class BlockedCallbackTests : IDisposable
         _release.Set();
         await Limits.UntilAsync(() => Volatile.Read(ref _ended) == 1);
 
-        // On the same port, so that the one before has ended when this one receives.
+        // Uses the same port, which is free only after the previous listener has ended.
         IntPtr again = log.Listen(port);
         Assert.NotEqual(IntPtr.Zero, again);
         Assert.Single(log.Frames);
@@ -107,7 +107,7 @@ public sealed class BlockedCallbackTests : IDisposable
         }
     }
 
-    // As a program does that shows the status in its window.
+    // Like a program that shows the status in its window.
     [Fact]
     public async Task Closing_releases_a_waiting_status_callback()
     {
@@ -160,7 +160,7 @@ public sealed class BlockedCallbackTests : IDisposable
     [Fact]
     public async Task Closing_from_two_threads_reports_the_end_once_before_either_returns()
     {
-        // A busy computer may hold the thread that tells up, in some rounds.
+        // On a busy computer, the reporting thread may be late in some rounds.
         int fewest = 0;
         using var log = new CallbackLog();
         using PacketServer server = await PacketServer.ConnectAsync(log);
@@ -182,7 +182,7 @@ public sealed class BlockedCallbackTests : IDisposable
             _release.Reset();
             await server.ReconnectAsync(log);
 
-            // How often the end had been told when closing returned.
+            // Returns how often the end was reported by the time closing returned.
             Task<int> CloseAsync() => Task.Factory.StartNew(
                 () =>
                 {
@@ -200,7 +200,7 @@ public sealed class BlockedCallbackTests : IDisposable
         static bool IsEnd(string line) => line == "2 Service is stoped\n";
     }
 
-    // The other one closes while this callback runs, and then the callback does too.
+    // Another thread closes while this callback runs, and then the callback closes too.
     [Fact]
     public async Task A_waited_for_callback_may_close_again()
     {
@@ -253,7 +253,7 @@ public sealed class BlockedCallbackTests : IDisposable
         void OnFailed(Exception exception) => Block(IntPtr.Zero);
     }
 
-    // What a callback was given stays its own, however late it ends, and whatever else comes and goes meanwhile.
+    // The data passed to a callback stays valid until the callback ends, however late that is and whatever else comes and goes.
     [Fact]
     public async Task A_callback_that_ends_after_closing_still_reads_its_frame()
     {

@@ -6,15 +6,15 @@ using NeuronMocap.Tests.Network;
 
 namespace NeuronMocap.Compatibility.Tests.Sockets;
 
-// How long closing waits, and that nothing begins once it has returned.
+// How long closing waits, and that no callback starts after it returns.
 public sealed class ClosingTests
 {
-    // The vendor's libraries take 50 to 100 ms.
+    // The vendor's libraries take 50 to 100 ms to close.
     [Fact]
     public void Closing_waits_50_to_100_ms_for_a_callback() =>
         Assert.InRange(VendorSocket.CloseTimeout, TimeSpan.FromMilliseconds(50), TimeSpan.FromMilliseconds(100));
 
-    // The system may take the processor away from the receive thread anywhere, and for as long as it likes.
+    // The system may suspend the receive thread at any point and for any time.
     [Fact]
     public async Task A_delayed_receive_thread_calls_no_callback_after_closing()
     {
@@ -57,7 +57,7 @@ public sealed class ClosingTests
         Assert.Equal(0, wrong);
         Assert.Empty(log.Failures);
 
-        // Each callback has an object of its own.
+        // Each callback has its own object.
         void Replace()
         {
             for (int i = 1; !stop.IsCancellationRequested; i++)
@@ -73,7 +73,7 @@ public sealed class ClosingTests
         }
     }
 
-    // Holds the receive thread up where it asks whether a frame is wanted.
+    // Blocks the receive thread where it asks whether a frame is wanted.
     private sealed class HeldUpCallbacks : IVendorCallbacks, IDisposable
     {
         private readonly ManualResetEventSlim _continue = new();

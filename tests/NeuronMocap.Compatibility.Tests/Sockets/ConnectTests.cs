@@ -5,10 +5,10 @@ using NeuronMocap.Tests.Network;
 
 namespace NeuronMocap.Compatibility.Tests.Sockets;
 
-// Beside the contract: interrupted threads, and callbacks that wait for each other.
+// In addition to the contract: interrupted threads, and callbacks that wait for each other.
 public sealed class ConnectTests
 {
-    // Programs of that time stop their threads so. Whoever asks for the same place afterwards must not wait for a thread that is gone.
+    // Programs of that time interrupt their threads to stop them. A later connection to the same address must not wait for a thread that is gone.
     [Fact]
     public void Interrupting_a_connecting_thread_leaves_nothing()
     {
@@ -50,7 +50,7 @@ public sealed class ConnectTests
         NeuronDataReader.BRCloseSocket(socket);
     }
 
-    // None may wait for the other, whose callback waits for it.
+    // Neither may wait for the other, because the other's callback waits for it.
     [Fact]
     public async Task Callbacks_can_ask_for_each_others_connection()
     {

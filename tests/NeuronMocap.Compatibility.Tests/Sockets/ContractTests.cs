@@ -3,7 +3,7 @@ using NeuronMocap.Tests.Vendor;
 
 namespace NeuronMocap.Compatibility.Tests.Sockets;
 
-// What both surfaces of the vendor's functions promise, kept by the C# class.
+// The contract that both surfaces of the vendor's functions keep, applied to the C# class.
 public sealed class ConnectContractTests : ConnectContract
 {
     private protected override VendorDriver Start() => new ManagedDriver();

@@ -5,7 +5,7 @@ using NeuronMocap.Tests.Commands;
 
 namespace NeuronMocap.Compatibility.Tests.Sockets;
 
-// The overloads that only C# has.
+// The overloads that exist only in C#.
 public sealed class HeaderMemoryTests
 {
     private const string Bvh = "HIERARCHY\nROOT Hips\n{\n OFFSET 0 0 0\n CHANNELS 6 Xposition Yposition Zposition Yrotation Xrotation Zrotation\n"

@@ -5,7 +5,7 @@ using NeuronMocap.Tests.Network;
 
 namespace NeuronMocap.Compatibility.Tests.Sockets;
 
-// What a host does when it ends a program and goes on itself.
+// What a host does when it ends a program and continues itself.
 public sealed class SessionTests
 {
     private static readonly TimeSpan Bound = Limits.Unexpected;
@@ -53,7 +53,7 @@ public sealed class SessionTests
     [Fact]
     public async Task Ending_waits_for_a_busy_callback_up_to_its_limit()
     {
-        // Without the limit each takes the 2 s that closing a connection may.
+        // Without the limit, each takes the 2 s allowed for closing a connection.
         var bound = TimeSpan.FromSeconds(1.5);
         TimeSpan quickest = await Limits.QuickestAsync(bound, static () => EndDuringCallbackAsync(TimeSpan.FromMilliseconds(50)));
         Assert.InRange(quickest, TimeSpan.Zero, bound);

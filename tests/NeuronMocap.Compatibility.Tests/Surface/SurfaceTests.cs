@@ -27,8 +27,8 @@ public sealed class SurfaceTests
             lines[Namespaces[1]]);
     }
 
-    // "using NeuronDataReaderWraper;" and then "NeuronDataReader.BRConnectTo(...)": a namespace of that name would win over the class. Neuron and
-    // Noitom are namespaces of the vendor's own scripts.
+    // A script may have "using NeuronDataReaderWraper;" and call "NeuronDataReader.BRConnectTo(...)". A namespace named NeuronDataReader would hide
+    // the class. Neuron and Noitom are namespaces of the vendor's own scripts.
     [Fact]
     public void No_namespace_hides_the_class()
     {

@@ -19,7 +19,7 @@ public sealed class CalculationAxesTests
             sum += CalculationAxes.Export.ToBvh(Vector3.Transform(frame.GetAcceleration(Bone.Hips), frame.GetSensorRotation(Bone.Hips)));
         }
 
-        // One g downwards, save for what the actor's own motion adds.
+        // One g downwards, plus the actor's own acceleration.
         Vector3 gravity = sum / document.FrameCount;
         Assert.InRange(gravity.Y, -1.2f, -0.9f);
         Assert.InRange(new Vector2(gravity.X, gravity.Z).Length(), 0, 0.05f);
@@ -44,7 +44,7 @@ public sealed class CalculationAxesTests
         Assert.True(hands > 0);
     }
 
-    // Gyroscopes know nothing of the quaternions: both agree only where axes, handedness and the order of a quaternion are read right.
+    // Gyroscopes are independent of the quaternions. The two agree only if axes, handedness and the order of a quaternion are read correctly.
     [Theory, MemberData(nameof(Takes))]
     public void Recorded_sensors_turn_with_their_gyroscopes(string take)
     {

@@ -8,7 +8,7 @@ namespace NeuronMocap.Data.Tests.Calculation;
 
 public sealed class CalculationExportTests
 {
-    // The left arm is what moves in this take, its shoulder blade hardly: what is known of that comes from the arm.
+    // In this take, the left arm moves and its shoulder blade hardly does, so what is known of the shoulder blade comes from the arm.
     [Fact]
     public void A_recorded_arm_keeps_its_lengths_through_an_export()
     {

@@ -11,7 +11,7 @@ public sealed class CalculationSkeletonTests
 
     public static TheoryData<string> Takes => [.. CalculationText.Takes];
 
-    // Over all bones and frames: 0.17, 0.11 and 0.14 cm on the average; the worst is a knee of the first take, which kneels and spins.
+    // Over all bones and frames: 0.17, 0.11 and 0.14 cm on average. The worst is a knee in the first take, where the actor kneels and spins.
     [Theory]
     [InlineData("MasterLiuPerformanceChar00.calc", 0.2, 1.8)]
     [InlineData("hiphop_up_Char00.calc", 0.13, 0.62)]

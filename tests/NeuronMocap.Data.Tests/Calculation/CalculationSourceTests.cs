@@ -10,7 +10,7 @@ public sealed class CalculationSourceTests
 {
     private const string Take = "hiphop_up_Char00.calc";
 
-    // The text's four decimals are the file's own, so that both formats carry every bit.
+    // The four decimals of the text are those of the file, so both formats carry every bit.
     [Theory]
     [InlineData(BroadcastFormat.Binary, Take)]
     [InlineData(BroadcastFormat.Text, Take)]
@@ -45,7 +45,7 @@ public sealed class CalculationSourceTests
         Assert.True(ends[(int)Bone.Head].Y > 10);
     }
 
-    // What the poses are computed from comes out of them again: positions through the synthesizer, velocities from positions.
+    // The inputs of the poses can be computed back from them: positions by the synthesizer, and velocities from positions.
     [Fact]
     public void The_synthesizer_reproduces_the_files_positions()
     {
@@ -69,7 +69,7 @@ public sealed class CalculationSourceTests
             }
         }
 
-        // The recorded velocities are filtered, and one frame behind at that.
+        // The recorded velocities are filtered, and delayed by one frame.
         Assert.InRange(Math.Sqrt(errors / squares), 0, 0.5);
     }
 }

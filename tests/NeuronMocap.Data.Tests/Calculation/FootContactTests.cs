@@ -6,7 +6,7 @@ namespace NeuronMocap.Data.Tests.Calculation;
 
 public sealed class FootContactTests
 {
-    // Measured: whole takes 97.9, 96.2 and 99.3 %, live 96.9, 95.1 and 99.1 %: the least that is right, with a margin.
+    // Measured: 97.9, 96.2 and 99.3 % for whole takes, 96.9, 95.1 and 99.1 % live. The bounds have a margin.
     [Theory]
     [InlineData("MasterLiuPerformanceChar00.calc", 0.93, 0.91)]
     [InlineData("hiphop_up_Char00.calc", 0.95, 0.94)]
@@ -32,7 +32,7 @@ public sealed class FootContactTests
         Assert.True(NeuronMocap.Tests.Motion.FootContactTests.Changes(estimated) <= NeuronMocap.Tests.Motion.FootContactTests.Changes(recorded) + 2, figures);
     }
 
-    // Metres with Z down; bones in the order of Appendix C, where the right foot is the fourth and the left one the seventh.
+    // Metres with Z down. Bones are in the order of Appendix C, where the right foot is the fourth and the left foot the seventh.
     private static List<(Vector3 Left, Vector3 Right, FootContacts Recorded)> ReadFeet(string path)
     {
         List<(Vector3, Vector3, FootContacts)> frames = [];

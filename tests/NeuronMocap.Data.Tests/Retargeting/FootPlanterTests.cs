@@ -33,7 +33,7 @@ public sealed class FootPlanterTests
         Assert.True(walk.LeastKnee > -1e-4f && walk.LargestAddedSpeed() < 0.6f, figures);
     }
 
-    // Dances and martial arts on one leg, with the contacts that the software recorded and with estimated ones, on a character of other proportions.
+    // Dances and martial arts on one leg, with recorded contacts and with estimated contacts, on a character of other proportions.
     [Theory]
     [InlineData("MasterLiuPerformanceChar00.calc", false, FootRotation.Keep)]
     [InlineData("hiphop_up_Char00.calc", false, FootRotation.Flatten)]

@@ -6,7 +6,7 @@ using NeuronMocap.Tests.Retargeting;
 
 namespace NeuronMocap.Data.Tests.Retargeting;
 
-// A take that somebody recorded with a suit; not part of the repository.
+// A take recorded with a suit. It is not part of the repository.
 public sealed class RetargetTakeTests
 {
     [Fact]
@@ -34,7 +34,7 @@ public sealed class RetargetTakeTests
         Assert.Equal(2156, document.FrameCount);
     }
 
-    // The character is as tall as the actor: its feet are where the actor's are.
+    // The character is as tall as the actor, so its feet are where the actor's are.
     [Fact]
     public void The_actors_own_skeleton_matches_the_take()
     {

@@ -10,11 +10,11 @@ using NeuronMocap.Tests.Retargeting.Pictures;
 namespace NeuronMocap.Data.Tests.Retargeting;
 
 /// <summary>
-/// The picture of docs/guide/retargeting.md: ten frames of a recorded take, the actor beside a character that was made quite otherwise.
+/// The picture of docs/guide/retargeting.md: ten frames of a recorded take, with the actor beside a very different character.
 /// </summary>
 public sealed class RetargetingPictureTests
 {
-    /// <summary>Draws the picture anew instead of comparing it.</summary>
+    /// <summary>Draws the picture again instead of comparing it.</summary>
     private const string UpdateVariable = "NEURONMOCAP_UPDATE_PICTURES";
 
     private const int Columns = 5;
@@ -70,8 +70,8 @@ public sealed class RetargetingPictureTests
         Assert.NotNull(SvgDrawing.Difference(Draw(3), Draw(3).Replace("line", "path")));
     }
 
-    // Short legs, long arms that hang down and are bent, no upper chest; twist bones; axes of all bones in every direction; in centimetres and lying
-    // on its back under a node that stands it up, as some programs export.
+    // Short legs, long arms that hang down and are bent, no upper chest, twist bones, and bone axes in every direction. The rig is in centimetres and
+    // lies on its back under a node that stands it up, as some programs export it.
     private static StandingRig StrangeRig()
     {
         var rig = new StandingRig(thigh: 0.33f, shin: 0.38f, hips: 0.12f, arm: 0.33f, forearm: 0.3f) { HasTwistNodes = true, TwistAxes = new Random(8).Rotation() };
@@ -109,7 +109,7 @@ public sealed class RetargetingPictureTests
 
     private static Vector2 CornerOf(int cell) => new(cell % Columns * CellWidth, cell / Columns * CellHeight);
 
-    // Of the limbs, whose joints both have: the drawing is of the same motion.
+    // For the limbs, whose joints both rigs have: both drawings show the same motion.
     private static void AssertSameDirections(Stage stage, int frame)
     {
         foreach (TPoseSegment segment in TPoseSegment.All.Where(segment => segment.Next is not null && !HumanoidBones.IsFinger(segment.Bone) && !segment.IsFoot))

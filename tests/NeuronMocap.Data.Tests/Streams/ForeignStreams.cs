@@ -2,7 +2,7 @@ using System.Text.Json;
 
 namespace NeuronMocap.Data.Tests.Streams;
 
-/// <summary>The streams of shared/data: a foreign encoder's, with what must come out of them.</summary>
+/// <summary>The streams of shared/data, written by a foreign encoder, with their expected results.</summary>
 internal static class ForeignStreams
 {
     public static StreamFixture Load(string name)

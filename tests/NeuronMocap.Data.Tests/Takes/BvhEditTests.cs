@@ -5,7 +5,7 @@ using static NeuronMocap.Tests.Bvh.BvhSamples;
 
 namespace NeuronMocap.Data.Tests.Takes;
 
-// A recorded take written, mirrored and turned.
+// A recorded take that is written, mirrored and turned.
 public sealed class BvhEditTests
 {
     [Fact]

@@ -7,7 +7,7 @@ using static NeuronMocap.Tests.Bvh.BvhSamples;
 
 namespace NeuronMocap.Data.Tests.Takes;
 
-// A take that somebody recorded with a suit; not part of the repository.
+// A take recorded with a suit. It is not part of the repository.
 public class BvhTakeTests
 {
     [Fact]
@@ -63,7 +63,7 @@ public class BvhTakeTests
         AssertSame(Parse(text), Parse(converted));
     }
 
-    // The actor stands on the ground: offsets, channels and rotations fit together.
+    // The actor stands on the ground, so offsets, channels and rotations fit together.
     [Fact]
     public void The_feet_of_a_recorded_take_reach_the_ground()
     {

@@ -6,7 +6,7 @@ using NeuronMocap.Tool.Tests.Infrastructure;
 
 namespace NeuronMocap.Data.Tests.Tool;
 
-// The recorded take from one program to the other, read back from the monitor's JSON lines.
+// Sends the recorded take from one program to another, and reads it back from the monitor's JSON lines.
 public sealed class TakeProcessTests
 {
     [Theory]
@@ -41,7 +41,7 @@ public sealed class TakeProcessTests
         Assert.Equal(0, await simulator.WaitForExitAsync());
     }
 
-    // An export as a broadcast: the program says what it plays, and each motion frame is followed by the file's own values.
+    // A broadcast of an export: the program says what it plays, and each motion frame is followed by the file's own values.
     [Fact]
     public async Task A_calculation_export_is_broadcast_unchanged()
     {

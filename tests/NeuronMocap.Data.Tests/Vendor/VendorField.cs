@@ -2,10 +2,10 @@ using System.Text.RegularExpressions;
 
 namespace NeuronMocap.Data.Tests.Vendor;
 
-/// <summary>One field of a vendor struct as the table writes it, such as "UInt32 `DataCount`" or "string `AvatarName` (ByValTStr 32)".</summary>
+/// <summary>A field of a vendor struct in the notation of the table, such as "UInt32 `DataCount`" or "string `AvatarName` (ByValTStr 32)".</summary>
 internal sealed partial record VendorField(string Type, string Name, int? Size)
 {
-    /// <summary>Bytes in unmanaged memory.</summary>
+    /// <summary>Size in unmanaged memory, in bytes.</summary>
     public int Bytes => Size ?? Type switch
     {
         "byte" => 1,
@@ -14,7 +14,8 @@ internal sealed partial record VendorField(string Type, string Name, int? Size)
         _ => throw new InvalidDataException($"The table has a type that this test does not know: {Type}"),
     };
 
-    // "ushort `Token1`; `DataVersion`; UInt32 `DataCount`, `AvatarIndex`": a type is that of all names up to the next one; alone, a name is its type.
+    // In "ushort `Token1`; `DataVersion`; UInt32 `DataCount`, `AvatarIndex`", a type applies to all names up to the next type. A single name is its
+    // own type.
     public static IReadOnlyList<VendorField> Parse(string text)
     {
         var fields = new List<VendorField>();

@@ -4,7 +4,9 @@ using System.Text.RegularExpressions;
 
 namespace NeuronMocap.Data.Tests.Vendor;
 
-/// <summary>Both namespaces against the tables of the vendor's wrappers: what any of the three generations has, both have.</summary>
+/// <summary>
+/// Compares both namespaces with the tables of the vendor's wrappers. Both must have everything that any of the three generations has.
+/// </summary>
 public sealed partial class VendorSurfaceTests
 {
     private static readonly Assembly Library = typeof(NeuronMocap.Compatibility.CompatibilityEvents).Assembly;
@@ -57,7 +59,7 @@ public sealed partial class VendorSurfaceTests
         }
     }
 
-    // Their layout is that of the older stream, which never reaches scripts: they only have to compile.
+    // Their layout belongs to the older stream, which never reaches scripts. They only have to compile.
     [Theory, MemberData(nameof(Namespaces))]
     public void Names_of_the_older_header_compile(string space)
     {
@@ -68,7 +70,7 @@ public sealed partial class VendorSurfaceTests
         foreach (VendorField field in fields)
         {
             Type actual = type.GetField(field.Name)?.FieldType ?? Assert.IsType<PropertyInfo>(type.GetProperty(field.Name), exactMatch: false).PropertyType;
-            Assert.True(Converts(actual, TypeOf(space, field.Type)), $"{field.Name} is {actual}, which is no {field.Type}.");
+            Assert.True(Converts(actual, TypeOf(space, field.Type)), $"{field.Name} is {actual}, not {field.Type}.");
         }
     }
 
@@ -117,7 +119,7 @@ public sealed partial class VendorSurfaceTests
         Assert.Equal((14, 2), (methods, fields));
     }
 
-    // The one row that nobody knows the shape of.
+    // The only row of unknown shape.
     [Fact]
     public void The_table_of_types_is_complete()
     {
@@ -130,7 +132,7 @@ public sealed partial class VendorSurfaceTests
 
     private static IReadOnlyList<VendorField> FieldsOf(string[] row)
     {
-        // Where generations differ, b15's; where they do not, the fields stand with the name.
+        // Where generations differ, b15 applies. Otherwise the fields are in the cell of the name.
         if (row[2].Contains('`', StringComparison.Ordinal))
             return VendorField.Parse(row[2]);
 

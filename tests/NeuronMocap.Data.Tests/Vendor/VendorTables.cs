@@ -2,7 +2,7 @@ using System.Text.RegularExpressions;
 
 namespace NeuronMocap.Data.Tests.Vendor;
 
-/// <summary>The tables of the vendor's C# types and methods, read from shared/unity.md section 1.1 where that lies beside the repository.</summary>
+/// <summary>The tables of the vendor's C# types and methods, read from shared/unity.md section 1.1 if that file is beside the repository.</summary>
 internal sealed partial class VendorTables
 {
     private VendorTables(IReadOnlyList<string[]> types, IReadOnlyList<string[]> methods)
@@ -11,7 +11,7 @@ internal sealed partial class VendorTables
         Methods = methods;
     }
 
-    /// <summary>Rows of the table of types: what, then a cell for each of W1, W2 and managed.</summary>
+    /// <summary>Rows of the table of types: the item, then a cell for each of W1, W2 and managed.</summary>
     public IReadOnlyList<string[]> Types { get; }
 
     /// <summary>Rows of the table of methods, with the same columns.</summary>
@@ -32,7 +32,7 @@ internal sealed partial class VendorTables
 
     public IEnumerable<string[]> TypesOf(string kind) => Types.Where(row => row[0].StartsWith(kind + " `", StringComparison.Ordinal));
 
-    /// <summary>What stands in backticks, in order.</summary>
+    /// <summary>The texts in backticks, in order.</summary>
     public static IReadOnlyList<string> Code(string cell) => [.. CodeSpan().Matches(cell).Select(static match => match.Groups["code"].Value)];
 
     private static List<string[]> TableUnder(string[] section, string head)

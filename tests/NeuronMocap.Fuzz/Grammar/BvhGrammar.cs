@@ -3,7 +3,7 @@ using NeuronMocap.Fuzz.Inputs;
 
 namespace NeuronMocap.Fuzz.Grammar;
 
-/// <summary>Joints with all that hangs from them, End Sites, lines, columns of the motion, words.</summary>
+/// <summary>Joints with their descendants, End Sites, lines, columns of the motion, words.</summary>
 internal sealed class BvhGrammar : IGrammar
 {
     private static readonly string[] Blocks = ["JOINT", "End", "ROOT", "OFFSET", "CHANNELS", "MOTION", "Frame"];
@@ -39,7 +39,7 @@ internal sealed class BvhGrammar : IGrammar
             TextParts.FindNumbers(input, numbers);
     }
 
-    // From a keyword to the brace that closes it, or to the next keyword of its kind. Of nested ones the outermost, or a single inner one.
+    // From a keyword to its closing brace, or to the next keyword of its kind. Of nested blocks, the outermost or a single inner one.
     private void FindBlocks(ReadOnlySpan<byte> text, string keyword, List<Part> parts)
     {
         _words.Clear();

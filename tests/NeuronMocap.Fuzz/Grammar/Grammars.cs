@@ -2,14 +2,14 @@ using NeuronMocap.Fuzz.Inputs;
 
 namespace NeuronMocap.Fuzz.Grammar;
 
-/// <summary>Which grammar an input is changed by.</summary>
+/// <summary>Selects the grammar that changes an input.</summary>
 internal sealed class Grammars
 {
     private readonly BvhGrammar _bvh = new();
     private readonly CalculationGrammar _calculation = new();
     private readonly RecordingGrammar _recording = new();
 
-    /// <summary>Null where bytes are all that is known.</summary>
+    /// <summary>Returns null if the input has no known structure.</summary>
     public IGrammar? Of(CorpusKind kind, ReadOnlySpan<byte> input) => kind switch
     {
         CorpusKind.Bvh => _bvh,

@@ -2,16 +2,16 @@ using NeuronMocap.Fuzz.Inputs;
 
 namespace NeuronMocap.Fuzz.Grammar;
 
-/// <summary>Knows of what a format is made, so that a change can swap, double or remove what belongs together.</summary>
+/// <summary>Knows the parts of a format, so that a change can swap, double or remove whole parts.</summary>
 internal interface IGrammar
 {
-    /// <summary>Finds parts of one kind: lines, blocks, columns, numbers. They lie one behind the other and do not overlap.</summary>
-    /// <param name="input">Any bytes, also such as were changed before.</param>
+    /// <summary>Finds parts of one kind: lines, blocks, columns, numbers. They are in order and do not overlap.</summary>
+    /// <param name="input">Any bytes, including bytes that were changed before.</param>
     /// <param name="random">Chooses the kind.</param>
-    /// <param name="parts">Receives them.</param>
+    /// <param name="parts">Receives the parts.</param>
     void Split(ReadOnlySpan<byte> input, ref FuzzRandom random, List<Part> parts);
 
-    /// <summary>What a number may become: each end of its range, and what is no number.</summary>
+    /// <summary>Replacements for a number: the ends of its range, and texts that are not numbers.</summary>
     IReadOnlyList<byte[]> Extremes { get; }
 
     /// <summary>Finds numbers.</summary>

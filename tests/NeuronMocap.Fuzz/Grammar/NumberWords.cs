@@ -2,7 +2,7 @@ using System.Text;
 
 namespace NeuronMocap.Fuzz.Grammar;
 
-/// <summary>Numbers as text: the ends of what formats and types hold, and what is none.</summary>
+/// <summary>Numbers as text: the limits of formats and types, and texts that are not numbers.</summary>
 internal static class NumberWords
 {
     public static IReadOnlyList<byte[]> Extremes { get; } =

@@ -4,7 +4,7 @@ using NeuronMocap.Recording;
 
 namespace NeuronMocap.Fuzz.Grammar;
 
-/// <summary>Blocks of a recording, and the fields of their headers. Checksums are put right by whoever reads it.</summary>
+/// <summary>Blocks of a recording, and the fields of their headers. The reading target corrects the checksums.</summary>
 internal sealed class RecordingGrammar : IGrammar
 {
     // Kind, sequence, length and time; encoding.

@@ -5,7 +5,7 @@ namespace NeuronMocap.Fuzz.Grammar;
 /// <summary>Lines and words of a text.</summary>
 internal static class TextParts
 {
-    /// <summary>Lines with their ends.</summary>
+    /// <summary>Finds lines, including their ends.</summary>
     public static void FindLines(ReadOnlySpan<byte> text, List<Part> parts)
     {
         for (int start = 0; start < text.Length;)
@@ -36,7 +36,7 @@ internal static class TextParts
         }
     }
 
-    /// <summary>The words of one column, in all lines that have as many words as the chosen one.</summary>
+    /// <summary>Finds the words of one column, in all lines with as many words as the chosen line.</summary>
     public static void FindColumn(ReadOnlySpan<byte> text, ref FuzzRandom random, List<Part> parts)
     {
         var lines = new List<Part>();

@@ -4,7 +4,7 @@ using NeuronMocap.Skeleton;
 
 namespace NeuronMocap.Fuzz.Inputs;
 
-/// <summary>BVH files of a few joints, of the 59 bones in both variants, and of things that real files have.</summary>
+/// <summary>BVH files with a few joints, with the 59 bones of both variants, and with features of real files.</summary>
 internal static class BvhFixtures
 {
     private const string TwoJoints =

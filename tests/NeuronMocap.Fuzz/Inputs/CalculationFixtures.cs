@@ -3,7 +3,7 @@ using System.Text;
 
 namespace NeuronMocap.Fuzz.Inputs;
 
-/// <summary>Calculation exports of both widths, with and without headers, whole and cut.</summary>
+/// <summary>Calculation exports of both widths, with and without headers, complete and truncated.</summary>
 internal static class CalculationFixtures
 {
     public static IReadOnlyList<byte[]> Words { get; } =

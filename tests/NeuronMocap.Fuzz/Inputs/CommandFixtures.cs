@@ -4,10 +4,10 @@ using NeuronMocap.Skeleton;
 
 namespace NeuronMocap.Fuzz.Inputs;
 
-/// <summary>Replies of a command server, alone and in a row.</summary>
+/// <summary>Replies of a command server, single and in sequence.</summary>
 internal static class CommandFixtures
 {
-    /// <summary>Tokens, numbers of commands and sizes at edges.</summary>
+    /// <summary>Tokens, command numbers, and sizes at limits.</summary>
     public static IReadOnlyList<byte[]> Words { get; } =
     [
         [0xFF, 0xAA], [0xFF, 0xBB], [0xFF], .. Enumerable.Range(1000, 7).Select(id => BitConverter.GetBytes((ushort)id)),

@@ -1,17 +1,17 @@
 namespace NeuronMocap.Fuzz.Inputs;
 
-/// <summary>Fixtures to make inputs from, and words that mean something to the parser.</summary>
-/// <param name="Fixtures">Valid inputs; the program's own first.</param>
-/// <param name="OwnCount">How many of them are the program's own.</param>
-/// <param name="Words">Tokens, keywords and numbers at edges.</param>
+/// <summary>Fixtures to create inputs from, and words with a meaning for the parser.</summary>
+/// <param name="Fixtures">Valid inputs, with the program's own first.</param>
+/// <param name="OwnCount">The number of the program's own fixtures.</param>
+/// <param name="Words">Tokens, keywords, and numbers at limits.</param>
 internal sealed record Corpus(IReadOnlyList<byte[]> Fixtures, int OwnCount, IReadOnlyList<byte[]> Words)
 {
-    // Of a recording of megabytes its start has all there is to it.
+    // The start of a long recording contains everything of interest.
     private const int LongestFixture = 12 * 1024;
 
-    /// <summary>Makes a corpus.</summary>
-    /// <param name="kind">Which one.</param>
-    /// <param name="data">A folder of recordings and streams; null without.</param>
+    /// <summary>Loads a corpus.</summary>
+    /// <param name="kind">The kind.</param>
+    /// <param name="data">A folder of recordings and streams, or null.</param>
     public static Corpus Load(CorpusKind kind, string? data) => kind switch
     {
         CorpusKind.Packets => With(PacketFixtures.Create(), PacketFixtures.Words, Find(data, "*.bin")),

@@ -1,6 +1,6 @@
 namespace NeuronMocap.Fuzz.Inputs;
 
-/// <summary>What the inputs of a target are made of.</summary>
+/// <summary>Specifies the kind of a target's inputs.</summary>
 internal enum CorpusKind
 {
     /// <summary>Packets of the stream.</summary>
@@ -21,6 +21,6 @@ internal enum CorpusKind
     /// <summary>Rows of a calculation export.</summary>
     Calculation,
 
-    /// <summary>Files of every kind that the tools for files read.</summary>
+    /// <summary>Files of every kind that the file tools read.</summary>
     Files,
 }

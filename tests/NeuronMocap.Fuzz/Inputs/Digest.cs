@@ -2,7 +2,7 @@ using System.Runtime.InteropServices;
 
 namespace NeuronMocap.Fuzz.Inputs;
 
-/// <summary>A number that stands for everything that was added to it, in order. Fast, and not safe against people.</summary>
+/// <summary>A hash of everything that was added, in order. It is fast but not cryptographic.</summary>
 internal struct Digest
 {
     private const ulong Prime = 0x9E3779B97F4A7C15;

@@ -2,7 +2,7 @@ using System.Text;
 
 namespace NeuronMocap.Fuzz.Inputs;
 
-/// <summary>Small files of every kind that the tools for files read.</summary>
+/// <summary>Small files of every kind that the file tools read.</summary>
 internal static class FileFixtures
 {
     public static IReadOnlyList<byte[]> Words { get; } = [.. BvhFixtures.Words, .. RecordingFixtures.Words, .. PacketFixtures.Words];

@@ -1,12 +1,12 @@
 namespace NeuronMocap.Fuzz.Inputs;
 
 /// <summary>
-/// The bytes that a target reads, amid other bytes that it has to leave alone, and what it says about them. Chances that a target takes,
-/// such as where to cut, come from the bytes too, so that they alone repeat a failure.
+/// The bytes that a target reads, surrounded by bytes that it must not touch, and the results of the target. A target derives random choices, such as
+/// where to cut, from the bytes too. The bytes alone thus reproduce a failure.
 /// </summary>
 internal sealed class FuzzInput
 {
-    /// <summary>Longest input.</summary>
+    /// <summary>The longest input.</summary>
     public const int MaxLength = 1 << 16;
 
     private const int Margin = 64;
@@ -20,21 +20,21 @@ internal sealed class FuzzInput
 
     public ReadOnlySpan<byte> Bytes => Segment;
 
-    /// <summary>Takes in everything that was read, so that two readings can be compared.</summary>
+    /// <summary>A digest of everything that was read, to compare two readings.</summary>
     public ref Digest Digest => ref _digest;
 
     public ref FuzzRandom Random => ref _random;
 
-    /// <summary>How many things were recognised: shows whether the inputs reach behind the first check.</summary>
+    /// <summary>The number of recognised items. It shows whether inputs get past the first check.</summary>
     public long Found { get; set; }
 
-    /// <summary>Whether the input or its surroundings are no longer what they were.</summary>
+    /// <summary>Returns whether the input or its surroundings changed.</summary>
     public bool IsTouched(ReadOnlySpan<byte> original, Surroundings surroundings) =>
         !Bytes.SequenceEqual(original)
         || !Before.SequenceEqual(Repeat(surroundings)[..Before.Length])
         || !Behind.SequenceEqual(Repeat(surroundings)[..Behind.Length]);
 
-    /// <summary>Puts bytes into place, at any alignment.</summary>
+    /// <summary>Stores the bytes, at any alignment.</summary>
     public void Set(ReadOnlySpan<byte> bytes, Surroundings surroundings)
     {
         ulong hash = Inputs.Digest.Of(bytes);
@@ -51,7 +51,7 @@ internal sealed class FuzzInput
 
     private Span<byte> Behind => _memory.AsSpan(Segment.Offset + Segment.Count, Margin);
 
-    // Bytes that a reader out of bounds would take for the rest of a packet, and bytes that stand for nothing.
+    // Bytes that a reader out of bounds would take for the rest of a packet, or bytes without meaning.
     private static ReadOnlySpan<byte> Repeat(Surroundings surroundings) => surroundings == Surroundings.Tokens
         ? [
             0xFF, 0xDD, 0, 0, 1, 1, 1, 0, 0xFF, 0xEE, 0xFF, 0x88, 0xFF, 0x99, 0xFF, 0xAA,
@@ -62,7 +62,7 @@ internal sealed class FuzzInput
         : "9 9 9 9 9 9 9 9 9 9 9 9 9 9 9 9 9 9 9 9 9 9 9 9 9 9 9 9 9 9 9 9 "u8;
 }
 
-/// <summary>What lies before and behind an input.</summary>
+/// <summary>Specifies the bytes before and after an input.</summary>
 internal enum Surroundings
 {
     Tokens,

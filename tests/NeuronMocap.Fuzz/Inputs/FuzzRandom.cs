@@ -2,7 +2,7 @@ using System.Numerics;
 
 namespace NeuronMocap.Fuzz.Inputs;
 
-/// <summary>SplitMix64: the same numbers on every machine, from a seed that costs nothing to set for each input.</summary>
+/// <summary>SplitMix64: the same numbers on every machine. Setting the seed for each input costs nothing.</summary>
 internal struct FuzzRandom(ulong seed)
 {
     private ulong _state = seed;
@@ -15,13 +15,13 @@ internal struct FuzzRandom(ulong seed)
         return mixed ^ (mixed >> 31);
     }
 
-    /// <summary>A number from 0 to below the limit, which is at least 1.</summary>
+    /// <summary>Returns a number from 0 to below the limit, which is at least 1.</summary>
     public int Below(int limit) => (int)(((Next() >> 32) * (ulong)limit) >> 32);
 
-    /// <summary>A number between two, both included.</summary>
+    /// <summary>Returns a number between two bounds, both included.</summary>
     public int Between(int least, int most) => least + Below(most - least + 1);
 
-    /// <summary>Mostly small numbers: each doubling up to the limit is as likely as the one before.</summary>
+    /// <summary>Returns mostly small numbers: each doubling up to the limit is equally likely.</summary>
     public int Small(int limit) => Below(Math.Min(limit, 1 << Between(1, BitOperations.Log2((uint)limit) + 1)));
 
     public T Choose<T>(IReadOnlyList<T> list) => list[Below(list.Count)];

@@ -1,6 +1,6 @@
 namespace NeuronMocap.Fuzz.Inputs;
 
-/// <summary>The input as a pipe would give it: in pieces of any size, small ones more often.</summary>
+/// <summary>The input as from a pipe: in pieces of any size, most of them small.</summary>
 internal sealed class FuzzStream(FuzzInput input) : Stream
 {
     private const int LargestPiece = 4096;

@@ -2,14 +2,14 @@ using NeuronMocap.Fuzz.Grammar;
 
 namespace NeuronMocap.Fuzz.Inputs;
 
-/// <summary>Changes an input by what it is made of: parts swapped, doubled, repeated, removed, moved; numbers replaced by extremes.</summary>
+/// <summary>Changes an input by its grammar: swaps, doubles, repeats, removes or moves parts, and replaces numbers by extremes.</summary>
 internal sealed class GrammarMutator(InputBuffer buffer)
 {
     private const int MostCopies = 64;
 
     private readonly List<Part> _parts = [];
 
-    /// <summary>Makes one change; none where there is nothing of the chosen kind.</summary>
+    /// <summary>Makes one change, or none if there are no parts of the chosen kind.</summary>
     public void Change(IGrammar grammar, ref FuzzRandom random)
     {
         _parts.Clear();
@@ -48,7 +48,7 @@ internal sealed class GrammarMutator(InputBuffer buffer)
         }
     }
 
-    // One, or all from one on; a column's are all of them.
+    // Replaces one number, or all from one on. In a column, it replaces all.
     private void ReplaceNumbers(IGrammar grammar, ref FuzzRandom random)
     {
         grammar.FindNumbers(buffer.Bytes, ref random, _parts);

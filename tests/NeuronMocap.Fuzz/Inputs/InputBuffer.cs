@@ -1,6 +1,6 @@
 namespace NeuronMocap.Fuzz.Inputs;
 
-/// <summary>The input that is being made: at most <see cref="FuzzInput.MaxLength"/> bytes; what does not fit is left out.</summary>
+/// <summary>The input being created, at most <see cref="FuzzInput.MaxLength"/> bytes. Bytes that do not fit are omitted.</summary>
 internal sealed class InputBuffer
 {
     private readonly byte[] _bytes = new byte[FuzzInput.MaxLength];
@@ -36,7 +36,7 @@ internal sealed class InputBuffer
         Length -= count;
     }
 
-    /// <summary>Puts bytes in, which may not be of this buffer; see <see cref="Copy"/>.</summary>
+    /// <summary>Inserts bytes, which must not be from this buffer; see <see cref="Copy"/>.</summary>
     public void Insert(int at, ReadOnlySpan<byte> bytes)
     {
         bytes = bytes[..Math.Min(bytes.Length, FuzzInput.MaxLength - Length)];
@@ -51,7 +51,7 @@ internal sealed class InputBuffer
         Insert(at, bytes);
     }
 
-    /// <summary>A stretch of some bytes, to be inserted here. Valid until the next one.</summary>
+    /// <summary>Returns a section of some bytes, for insertion into this buffer. Valid until the next call.</summary>
     public ReadOnlySpan<byte> Copy(ReadOnlySpan<byte> bytes, int at, int count)
     {
         ReadOnlySpan<byte> stretch = bytes[at..Math.Min(at + count, bytes.Length)];

@@ -1,11 +1,13 @@
 namespace NeuronMocap.Fuzz.Inputs;
 
-/// <summary>Inputs that once showed a fault: the files of the folder <c>corpus</c>, small, each named after its target and its fault. They are part of the program.</summary>
+/// <summary>
+/// Inputs that once revealed a fault: small files of the folder <c>corpus</c>, named after their target and fault. They are part of the program.
+/// </summary>
 internal static class KeptInputs
 {
     private const string Prefix = "corpus/";
 
-    /// <summary>Every one with the name of its file, in an order that does not change.</summary>
+    /// <summary>All inputs with their file names, in a fixed order.</summary>
     public static IReadOnlyList<(string Name, byte[] Bytes)> All { get; } =
     [
         .. typeof(KeptInputs).Assembly.GetManifestResourceNames()

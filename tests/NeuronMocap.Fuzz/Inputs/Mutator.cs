@@ -2,12 +2,12 @@ using NeuronMocap.Fuzz.Grammar;
 
 namespace NeuronMocap.Fuzz.Inputs;
 
-/// <summary>Makes inputs out of a corpus: input number n of a seed is always the same.</summary>
+/// <summary>Creates inputs from a corpus. Input number n of a seed is always the same.</summary>
 internal sealed class Mutator
 {
     private const int MostMutations = 12;
 
-    // Where the fields of packet headers begin; of use at such a distance from a token only.
+    // Offsets of the fields of packet headers. They are only useful relative to a token.
     private static readonly int[] FieldOffsets = [2, 4, 5, 6, 8, 9, 10, 14, 18, 22, 46, 50, 54, 62];
 
     private readonly Corpus _corpus;
@@ -28,9 +28,9 @@ internal sealed class Mutator
 
     private static ReadOnlySpan<byte> Spaces => " \r\n\t"u8;
 
-    /// <summary>Makes an input.</summary>
-    /// <param name="number">Its number, from 0. The first ones are the fixtures as they are.</param>
-    /// <returns>Valid until the next call.</returns>
+    /// <summary>Creates an input.</summary>
+    /// <param name="number">Its number, from 0. The first inputs are the unchanged fixtures.</param>
+    /// <returns>The input, valid until the next call.</returns>
     public ReadOnlySpan<byte> Make(long number)
     {
         _random = new FuzzRandom(_seed ^ ((ulong)number * 0xD6E8FEB86659FD93));
@@ -45,7 +45,7 @@ internal sealed class Mutator
         return _buffer.Bytes;
     }
 
-    // A whole fixture, its parts changed, and now and then a byte.
+    // A whole fixture with changed parts, and sometimes a changed byte.
     private bool TryMakeOfParts()
     {
         _buffer.Clear();
@@ -128,7 +128,7 @@ internal sealed class Mutator
         }
     }
 
-    // A number at a field of the next header; where there is none, as in text, in place of the next word.
+    // Writes a number to a field of the next header. If there is no header, as in text, it replaces the next word.
     private void OverwriteField(int at)
     {
         ReadOnlySpan<byte> rest = _buffer.Bytes[at..];

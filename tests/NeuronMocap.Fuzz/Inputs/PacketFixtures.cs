@@ -4,10 +4,10 @@ using NeuronMocap.Protocol;
 
 namespace NeuronMocap.Fuzz.Inputs;
 
-/// <summary>Packets of every kind and size, alone and in a row.</summary>
+/// <summary>Packets of every kind and size, single and in sequence.</summary>
 internal static class PacketFixtures
 {
-    /// <summary>Tokens, versions, and counts at edges in both widths.</summary>
+    /// <summary>Tokens, versions, and counts at limits in both widths.</summary>
     public static IReadOnlyList<byte[]> Words { get; } =
     [
         [0xFF, 0xDD], [0xFF, 0xEE], [0xFF, 0x88], [0xFF, 0x99], [0xFF, 0xAA], [0xFF, 0xBB], [0xCF, 0xDC], [0xCF, 0xEC], [0xFF, 0xFF],
@@ -42,7 +42,7 @@ internal static class PacketFixtures
         return [.. packets, mixed, noise, .. Promises()];
     }
 
-    // Headers that announce as much as is allowed, and nothing behind them.
+    // Headers that announce the maximum payload, without any payload.
     private static IEnumerable<byte[]> Promises() =>
     [
         Motion(DataVersion.Old, ProtocolConstants.DefaultMaxValues)[..ProtocolConstants.HeaderSize],
@@ -93,7 +93,7 @@ internal static class PacketFixtures
         return packet;
     }
 
-    // A bone's position and angles, as a stream has them.
+    // Position and angles of a bone, as in a stream.
     private static float[] Values(int count) => [.. Enumerable.Range(0, count).Select(index => (index * 37 % 360) - 180 + (index / 8f))];
 
     private static byte[] Little(uint number, int size)

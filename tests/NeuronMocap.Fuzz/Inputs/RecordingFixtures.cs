@@ -2,10 +2,10 @@ using NeuronMocap.Recording;
 
 namespace NeuronMocap.Fuzz.Inputs;
 
-/// <summary>Recordings, small ones.</summary>
+/// <summary>Small recordings.</summary>
 internal static class RecordingFixtures
 {
-    /// <summary>The marker of blocks, kinds, and numbers at edges as the format writes them.</summary>
+    /// <summary>The block marker, block kinds, and numbers at limits in the encoding of the format.</summary>
     public static IReadOnlyList<byte[]> Words { get; } =
     [
         [0xF7, 0x4E, 0x4D, 0x42], .. Enumerable.Range(0, 9).Select(kind => new[] { (byte)kind }), [0x80], [0x81], [0x82], [0x83],

@@ -3,10 +3,10 @@ using System.Text;
 
 namespace NeuronMocap.Fuzz.Inputs;
 
-/// <summary>Lines of the text stream, alone and in a row, and packets between them.</summary>
+/// <summary>Lines of the text stream, single and in sequence, with packets between them.</summary>
 internal static class TextFixtures
 {
-    /// <summary>Ends, separators, tokens, and numbers in all ways in which servers write them.</summary>
+    /// <summary>Line ends, separators, tokens, and numbers in all notations that servers use.</summary>
     public static IReadOnlyList<byte[]> Words { get; } =
     [
         .. ((string[])

@@ -2,11 +2,11 @@ using System.Globalization;
 
 namespace NeuronMocap.Fuzz.Running;
 
-/// <summary>Writes what was found where somebody can work on it: the smallest input, and a text that says what happened.</summary>
+/// <summary>Writes findings for later analysis: the smallest input, and a text that describes what happened.</summary>
 internal static class FailingInputFiles
 {
     /// <summary>Writes both files.</summary>
-    /// <returns>Path of the input.</returns>
+    /// <returns>The path of the input.</returns>
     public static string Write(FailingInput failing, ulong seed, string folder)
     {
         Directory.CreateDirectory(folder);

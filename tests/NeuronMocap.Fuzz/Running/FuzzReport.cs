@@ -4,7 +4,7 @@ using NeuronMocap.Fuzz.Inputs;
 
 namespace NeuronMocap.Fuzz.Running;
 
-/// <summary>What the program says: a line every few seconds on standard error, the summary on standard output.</summary>
+/// <summary>The program's output: a line every few seconds on standard error, and the summary on standard output.</summary>
 internal sealed class FuzzReport(FuzzRun run, long bytes)
 {
     private static readonly TimeSpan Interval = TimeSpan.FromSeconds(3);

@@ -3,7 +3,7 @@ using NeuronMocap.Fuzz.Inputs;
 
 namespace NeuronMocap.Fuzz.Running;
 
-/// <summary>Feeds inputs to targets, a slice to each in turn, until so many bytes are through. First come the inputs that were kept from before.</summary>
+/// <summary>Feeds inputs to targets, a slice to each in turn, up to a number of bytes. The inputs of the folder corpus come first.</summary>
 internal sealed class FuzzRun
 {
     private const long Slice = 256 * 1024;
@@ -13,12 +13,12 @@ internal sealed class FuzzRun
     private readonly CancellationToken _cancellationToken;
     private volatile TargetProgress? _running;
 
-    /// <summary>Makes a run.</summary>
-    /// <param name="targets">What is fuzzed.</param>
-    /// <param name="bytes">Bytes of all inputs together; an empty input counts for none.</param>
+    /// <summary>Creates a run.</summary>
+    /// <param name="targets">The targets.</param>
+    /// <param name="bytes">Total bytes of all inputs. Empty inputs count for none.</param>
     /// <param name="seed">The same seed and the same recordings give the same inputs.</param>
-    /// <param name="data">A folder of recordings; null without.</param>
-    /// <param name="cancellationToken">Ends the run after the input at hand.</param>
+    /// <param name="data">A folder of recordings, or null.</param>
+    /// <param name="cancellationToken">Ends the run after the current input.</param>
     public FuzzRun(IReadOnlyList<FuzzTarget> targets, long bytes, ulong seed, string? data, CancellationToken cancellationToken = default)
     {
         _cancellationToken = cancellationToken;
@@ -31,14 +31,14 @@ internal sealed class FuzzRun
 
     public IReadOnlyList<TargetProgress> Progress { get; }
 
-    /// <summary>Whether an input did not come to an end, and the thread that reads it still runs.</summary>
+    /// <summary>Whether an input did not end, and the thread that reads it still runs.</summary>
     public bool IsCutShort { get; private set; }
 
-    /// <summary>Runs to the end, to the cancellation, or to the first input that does not come back.</summary>
-    /// <param name="report">Called now and then, on this thread.</param>
+    /// <summary>Runs to the end, to the cancellation, or to the first input that does not return.</summary>
+    /// <param name="report">Called occasionally, on this thread.</param>
     public void Run(Action report)
     {
-        // A thread that hangs cannot be ended; as a background thread it does not keep the program from ending.
+        // A hanging thread cannot be ended. As a background thread it does not keep the program alive.
         var worker = new Thread(RunTargets, maxStackSize: 1 << 20) { IsBackground = true, Name = "Fuzzing" };
         worker.Start();
         while (!worker.Join(Look))

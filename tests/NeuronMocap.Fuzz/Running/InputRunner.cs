@@ -3,10 +3,10 @@ using NeuronMocap.Fuzz.Inputs;
 
 namespace NeuronMocap.Fuzz.Running;
 
-/// <summary>Runs inputs through one target and looks at what it did. Used by one thread; another may ask for how long an input runs.</summary>
+/// <summary>Runs inputs through one target and checks its behaviour. Used by one thread. Another thread may query how long an input runs.</summary>
 internal sealed class InputRunner(FuzzTarget target)
 {
-    // One input in so many is read twice, amid different bytes, and has to give the same.
+    // One of this many inputs is read twice, with different surroundings, and must give the same result.
     private const int Sample = 8;
 
     private readonly FuzzTest _test = target.CreateTest();
@@ -14,13 +14,13 @@ internal sealed class InputRunner(FuzzTarget target)
     private byte[] _current = [];
     private long _started;
 
-    /// <summary>Longest time that an input took.</summary>
+    /// <summary>The longest time for an input.</summary>
     public TimeSpan Slowest { get; private set; }
 
-    /// <summary>Things that were recognised in all inputs.</summary>
+    /// <summary>The number of items recognised in all inputs.</summary>
     public long Found { get; private set; }
 
-    /// <summary>What the input at hand does right now that it may not, and the input; null when it does nothing such. Any thread.</summary>
+    /// <summary>Returns the current limit violation and its input, or null if there is none. Any thread.</summary>
     public (FuzzFailure Failure, byte[] Input)? FindOverrun()
     {
         long started = Volatile.Read(ref _started);
@@ -39,8 +39,8 @@ internal sealed class InputRunner(FuzzTarget target)
 
     /// <summary>Runs one input.</summary>
     /// <param name="input">Any bytes.</param>
-    /// <param name="isThorough">Whether it is read amid different bytes in any case.</param>
-    /// <returns>What went wrong; null when nothing did.</returns>
+    /// <param name="isThorough">Whether it is always read a second time with different surroundings.</param>
+    /// <returns>The failure, or null.</returns>
     public FuzzFailure? Run(ReadOnlySpan<byte> input, bool isThorough = false)
     {
         Remember(input);
@@ -53,7 +53,7 @@ internal sealed class InputRunner(FuzzTarget target)
         return failure;
     }
 
-    // The monitor shows the input of a thread that does not come back, so it has to be in nobody's way.
+    // The monitor shows the input of a thread that does not return, so the copy must not be in use elsewhere.
     private void Remember(ReadOnlySpan<byte> input)
     {
         if (_current.Length != input.Length)
@@ -67,7 +67,7 @@ internal sealed class InputRunner(FuzzTarget target)
         FuzzFailure? failure = CheckOnce(input, Surroundings.Tokens, out long allocated);
         Found += _input.Found;
 
-        // What is made once, such as a cache of types, is not the input's.
+        // Objects created once, such as caches of types, do not count for the input.
         long allowed = target.AllocatedPerInput + (target.AllocatedPerByte * input.Length);
         if (failure is null && allocated > allowed)
             failure = CheckOnce(input, Surroundings.Tokens, out allocated);
@@ -85,7 +85,7 @@ internal sealed class InputRunner(FuzzTarget target)
 
     private long CountAllocated() => target.AllocatesOnOtherThreads ? GC.GetTotalAllocatedBytes(precise: false) : GC.GetAllocatedBytesForCurrentThread();
 
-    // The innermost method of the library: two faults with the same exception are reported as two.
+    // The innermost method of the library. Two faults with the same exception are thus reported as two.
     private static string PlaceOf(Exception exception)
     {
         foreach (StackFrame frame in new StackTrace(exception).GetFrames())
@@ -116,7 +116,7 @@ internal sealed class InputRunner(FuzzTarget target)
         }
         catch (Exception)
         {
-            // The documented refusal.
+            // This is the documented rejection.
         }
 
         allocated = CountAllocated() - before;

@@ -2,7 +2,9 @@ using System.Diagnostics;
 
 namespace NeuronMocap.Fuzz.Running;
 
-/// <summary>Takes out of an input what its failure does not need: halves, quarters, down to single bytes, until nothing more can go.</summary>
+/// <summary>
+/// Removes everything from an input that its failure does not need: halves, quarters, down to single bytes, until nothing more can be removed.
+/// </summary>
 internal static class Minimizer
 {
     private static readonly TimeSpan TimeLimit = TimeSpan.FromSeconds(10);

@@ -2,10 +2,10 @@ using NeuronMocap.Fuzz.Inputs;
 
 namespace NeuronMocap.Fuzz.Running;
 
-/// <summary>How far one target has come. Written by the thread that runs it; the figures may be read by others.</summary>
+/// <summary>The progress of one target. Its own thread writes it. Other threads may read the figures.</summary>
 internal sealed class TargetProgress(FuzzTarget target, Corpus corpus, ulong seed, long budget, IReadOnlyList<(string Name, byte[] Bytes)> kept)
 {
-    // A parser that is wrong about everything need not be made small for all of it.
+    // If a parser fails everywhere, not all of its inputs need to be minimised.
     private const int MaxFailingInputs = 8;
 
     private readonly Mutator _mutator = new(corpus, target.Corpus, seed ^ Digest.Of(System.Text.Encoding.UTF8.GetBytes(target.Name)));
@@ -22,19 +22,19 @@ internal sealed class TargetProgress(FuzzTarget target, Corpus corpus, ulong see
 
     public long Bytes => Volatile.Read(ref _bytes);
 
-    /// <summary>Time spent, of which <see cref="Bytes"/> give a speed.</summary>
+    /// <summary>Time spent. With <see cref="Bytes"/>, it gives the speed.</summary>
     public TimeSpan Time { get; set; }
 
-    /// <summary>One for each kind of failure, and for each place of an exception. Once the run is over.</summary>
+    /// <summary>One input for each kind of failure, and for each place of an exception. Valid after the run.</summary>
     public IReadOnlyList<FailingInput> FailingInputs => _failing;
 
-    /// <summary>Inputs that failed, also those that failed like one before.</summary>
+    /// <summary>The number of inputs that failed, including repeated failures.</summary>
     public int Failures { get; private set; }
 
-    /// <summary>Every input that was kept and every fixture as it is were read, and then as many others as there are bytes for.</summary>
+    /// <summary>Whether all kept inputs and unchanged fixtures were read, and then others up to the budget of bytes.</summary>
     public bool IsDone => (Bytes >= budget && _kept == kept.Count && Inputs >= corpus.Fixtures.Count) || _failing.Count == MaxFailingInputs;
 
-    /// <summary>Makes and runs the next input, first those that were kept; a failure is made small and kept.</summary>
+    /// <summary>Creates and runs the next input, kept ones first. A failing input is minimised and kept.</summary>
     public void Step()
     {
         if (_kept < kept.Count)
@@ -53,7 +53,7 @@ internal sealed class TargetProgress(FuzzTarget target, Corpus corpus, ulong see
             Explain(failure, number, made.ToArray());
     }
 
-    /// <summary>Keeps an input that did not come to an end.</summary>
+    /// <summary>Keeps an input that did not end.</summary>
     public void AddOverrun(FuzzFailure failure, byte[] input)
     {
         Failures++;

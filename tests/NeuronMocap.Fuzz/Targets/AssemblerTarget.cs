@@ -3,7 +3,7 @@ using NeuronMocap.Protocol;
 
 namespace NeuronMocap.Fuzz.Targets;
 
-/// <summary>The input in pieces of different sizes; each way has to give what the whole gives in one.</summary>
+/// <summary>The input in pieces of different sizes. Each division must give the same result as the whole input.</summary>
 internal sealed class AssemblerTarget
 {
     private static readonly int[] LargestPieces = [1, 3, 80, 2_000];
@@ -47,7 +47,7 @@ internal sealed class AssemblerTarget
         input.Found += _whole.Packets;
     }
 
-    // Into memory that the next piece takes over, as a socket's does.
+    // Uses memory that the next piece overwrites, like a socket's buffer.
     private ArraySegment<byte> Receive(ArraySegment<byte> piece)
     {
         piece.CopyTo(_received);

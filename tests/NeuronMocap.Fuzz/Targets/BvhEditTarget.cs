@@ -4,7 +4,9 @@ using NeuronMocap.Skeleton;
 
 namespace NeuronMocap.Fuzz.Targets;
 
-/// <summary>The input as a BVH file that is changed in every way there is: each result is a take that can be written, and is the same when it is read again.</summary>
+/// <summary>
+/// The input as a BVH file that is changed in every possible way. Each result is a take that can be written, and reads back as the same take.
+/// </summary>
 internal static class BvhEditTarget
 {
     private static readonly double[] Rates = [0.5, 1, 1.5, 2];
@@ -58,7 +60,7 @@ internal static class BvhEditTarget
         }
     }
 
-    // A rate that no file can have is refused, as documented.
+    // Rates that no file can have are rejected, as documented.
     private static BvhDocument Resample(BvhDocument document, double rate)
     {
         try
@@ -87,7 +89,7 @@ internal static class BvhEditTarget
         }
     }
 
-    // Joint by joint: columns that follow another order in the file are written in the order of the joints.
+    // Compares joint by joint, because columns in another order are written in the order of the joints.
     private static bool IsSame(BvhDocument document, BvhDocument again, int frame)
     {
         for (int i = 0; i < document.Joints.Count; i++)

@@ -4,12 +4,12 @@ using NeuronMocap.Fuzz.Inputs;
 
 namespace NeuronMocap.Fuzz.Targets;
 
-/// <summary>The same file once more: in pieces, row by row, and strictly. Neither may come to another result.</summary>
+/// <summary>Reads the same file again in pieces, row by row, and strictly. All results must agree.</summary>
 internal static class BvhReading
 {
     private static readonly BvhReadOptions Strict = new() { Strict = true };
 
-    /// <summary>Reads in pieces what was read as a whole.</summary>
+    /// <summary>Reads a valid file again in pieces.</summary>
     public static void Compare(BvhDocument document, FuzzInput input)
     {
         using var reader = new BvhReader(new FuzzStream(input));
@@ -29,7 +29,7 @@ internal static class BvhReading
             reader.FrameTime == document.FrameTime && reader.TextFormat == document.TextFormat, "Pieces are laid out in another way.");
     }
 
-    /// <summary>Reads in pieces what was refused as a whole.</summary>
+    /// <summary>Reads a rejected file again in pieces.</summary>
     public static void Compare(BvhFormatException refusal, FuzzInput input)
     {
         try
@@ -45,7 +45,7 @@ internal static class BvhReading
         throw new WrongResultException("Pieces are read though the whole is refused.");
     }
 
-    /// <summary>Reads strictly what was read with or without repairs.</summary>
+    /// <summary>Reads a valid file again strictly, whether or not it needed repairs.</summary>
     public static void CompareStrict(BvhDocument document, FuzzInput input)
     {
         try

@@ -4,7 +4,9 @@ using NeuronMocap.Skeleton;
 
 namespace NeuronMocap.Fuzz.Targets;
 
-/// <summary>The input as a BVH file: what is read keeps the promises of the documentation, what is refused names its place; pieces and strict reading agree with it.</summary>
+/// <summary>
+/// The input as a BVH file. A result keeps the documented rules, and a rejection names its place. Reading in pieces and strict reading agree with it.
+/// </summary>
 internal static class BvhTarget
 {
     public static void Run(FuzzInput input)
@@ -39,7 +41,7 @@ internal static class BvhTarget
         for (int i = 0; i < document.Joints.Count; i++)
         {
             BvhJoint joint = document.Joints[i];
-            WrongResultException.ThrowUnless(joint.Index == i && (joint.Parent?.Index ?? -1) < i, "A joint stands before its parent.");
+            WrongResultException.ThrowUnless(joint.Index == i && (joint.Parent?.Index ?? -1) < i, "A joint comes before its parent.");
             channels += joint.Channels.Count;
             input.Digest.Add(joint.Name);
             input.Digest.Add(joint.Offset.X + joint.Offset.Y + joint.Offset.Z + (joint.EndSite?.Y ?? 0));

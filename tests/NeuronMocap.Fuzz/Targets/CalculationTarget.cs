@@ -4,7 +4,7 @@ using NeuronMocap.Skeleton;
 
 namespace NeuronMocap.Fuzz.Targets;
 
-/// <summary>The input as a calculation export: what is read keeps the promises of the documentation, and is the same when written and read again.</summary>
+/// <summary>The input as a calculation export. A result keeps the documented rules, and is the same after it is written and read again.</summary>
 internal static class CalculationTarget
 {
     private static readonly CalculationReadOptions Strict = new() { Strict = true };
@@ -51,7 +51,7 @@ internal static class CalculationTarget
         input.Digest.Add((long)document.TextFormat.Decimals);
     }
 
-    // Strict reading refuses what the other one repairs, and nothing else.
+    // Strict reading rejects exactly the files that tolerant reading repairs.
     private static void CheckStrict(CalculationDocument document, FuzzInput input)
     {
         try
@@ -66,7 +66,7 @@ internal static class CalculationTarget
         }
     }
 
-    // Row by row, from a stream that gives them in pieces.
+    // Reads row by row, from a stream that returns pieces.
     private static void CheckPieces(CalculationDocument document, FuzzInput input)
     {
         using var reader = new CalculationFileReader(new FuzzStream(input));

@@ -5,7 +5,10 @@ using NeuronMocap.Skeleton;
 
 namespace NeuronMocap.Fuzz.Targets;
 
-/// <summary>The input as what a command server sends: in pieces it gives what a plain search of the whole gives, and payloads are answers or refused.</summary>
+/// <summary>
+/// The input as bytes of a command server. Reading it in pieces gives the same packets as a plain search of the whole. Payloads are answers or are
+/// rejected.
+/// </summary>
 internal sealed class CommandsTarget
 {
     private const int MaxPayload = 4_096;
@@ -35,7 +38,7 @@ internal sealed class CommandsTarget
         Interpret(input);
     }
 
-    // Byte for byte over the whole.
+    // Searches the whole byte by byte.
     private static (int Packets, long Skipped, ulong Digest) Search(ReadOnlySpan<byte> bytes)
     {
         Digest digest = default;
@@ -116,7 +119,7 @@ internal sealed class CommandsTarget
         }
     }
 
-    // As each command's answer, whatever its number says.
+    // Interprets the payload as the answer to each command, whatever its number.
     private void Interpret(ReadOnlySpan<byte> payload, FuzzInput input)
     {
         foreach (CommandChannelId id in (ReadOnlySpan<CommandChannelId>)
@@ -143,7 +146,7 @@ internal sealed class CommandsTarget
                 return _replies.ReadZeroOut(payload, avatar: 0) ? 1 : 0;
             case CommandChannelId.RotationOrder:
                 RotationOrder order = _replies.ReadRotationOrder(payload);
-                WrongResultException.ThrowUnless(Enum.IsDefined(order), "{0} is no order.", order);
+                WrongResultException.ThrowUnless(Enum.IsDefined(order), "{0} is not an order.", order);
                 return (int)order;
             case CommandChannelId.BoneDimensions:
                 BoneDimensions sizes = _replies.ReadDimensions(payload, avatar: 0);

@@ -4,8 +4,8 @@ using NeuronMocap.Recording;
 namespace NeuronMocap.Fuzz.Targets;
 
 /// <summary>
-/// The input as a raw dump of a stream: every byte is played once and in order, at times that do not go back, and from any time on the end of
-/// the dump is.
+/// The input as a raw dump of a stream. Every byte is played once and in order, at times that do not decrease. A jump to any time plays the rest of
+/// the dump.
 /// </summary>
 internal sealed class DumpTarget
 {

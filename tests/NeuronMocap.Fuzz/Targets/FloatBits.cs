@@ -1,6 +1,6 @@
 namespace NeuronMocap.Fuzz.Targets;
 
-/// <summary>Values bit for bit, save that there are many bit patterns for what is no number, and one text.</summary>
+/// <summary>Compares values bit for bit, except that NaN has many bit patterns but only one text.</summary>
 internal static class FloatBits
 {
     public static bool AreSame(ReadOnlySpan<float> first, ReadOnlySpan<float> second)
@@ -17,7 +17,7 @@ internal static class FloatBits
         return true;
     }
 
-    /// <summary>Tells rows apart for a digest.</summary>
+    /// <summary>Returns a sum that distinguishes rows in a digest.</summary>
     public static int Sum(ReadOnlySpan<float> values)
     {
         int sum = 0;

@@ -6,7 +6,7 @@ using NeuronMocap.Skeleton;
 
 namespace NeuronMocap.Fuzz.Targets;
 
-/// <summary>Every packet of the input as a frame; everything that the frame can be asked, of every bone.</summary>
+/// <summary>Reads every packet of the input as a frame, and queries everything about it, for every bone.</summary>
 internal sealed class FramesTarget
 {
     private readonly PacketScanner _scanner = new();
@@ -147,7 +147,7 @@ internal sealed class FramesTarget
         }
     }
 
-    // Exceptions are slow: one question in sixteen is enough.
+    // Exceptions are slow, so only one call in sixteen is checked.
     private static void CheckThrows<TFrame, TAnswer>(FuzzInput input, Func<TFrame, TAnswer> ask, TFrame frame)
     {
         if (input.Random.Below(16) > 0)
@@ -162,7 +162,7 @@ internal sealed class FramesTarget
             return;
         }
 
-        throw new WrongResultException("A frame without bones told something of one.");
+        throw new WrongResultException("A frame without bones returned data of a bone.");
     }
 
     private static bool HasNaN(ReadOnlySpan<float> values)

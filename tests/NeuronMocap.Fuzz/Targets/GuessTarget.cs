@@ -4,12 +4,12 @@ using NeuronMocap.Transport;
 
 namespace NeuronMocap.Fuzz.Targets;
 
-/// <summary>What the reader says of bytes that it does not know: for each reason a sentence that any terminal can show.</summary>
+/// <summary>The reader's messages about unknown bytes. For each reason there is a sentence that any terminal can show.</summary>
 internal static class GuessTarget
 {
     private const int Looks = 32;
 
-    // What a reader keeps of them.
+    // The number of bytes that a reader keeps.
     private const int Kept = 64;
 
     private static readonly SkipReason[] Reasons = Enum.GetValues<SkipReason>();

@@ -4,8 +4,7 @@ using NeuronMocap.Protocol;
 namespace NeuronMocap.Fuzz.Targets;
 
 /// <summary>
-/// The three headers read at every place that may be one, and at places that cannot. A header that was read and written again is
-/// the same header.
+/// Reads the three headers at every possible place, and at impossible ones. A header that is read and written again stays the same.
 /// </summary>
 internal static class HeadersTarget
 {
@@ -106,7 +105,7 @@ internal static class HeadersTarget
     }
 
     private static void CheckSize(int size, int count) => WrongResultException.ThrowUnless(
-        count >= 0 && size == ProtocolConstants.HeaderSize + ((long)count * sizeof(float)), "{0} values are no packet of {1} bytes.", count, size);
+        count >= 0 && size == ProtocolConstants.HeaderSize + ((long)count * sizeof(float)), "{0} values do not make a packet of {1} bytes.", count, size);
 
     private static void Same<T>(bool isSame, T header)
     {

@@ -4,7 +4,7 @@ using NeuronMocap.Recording;
 
 namespace NeuronMocap.Fuzz.Targets;
 
-/// <summary>The input as a recording that is played: its frames one after the other, in order; and a jump to any time goes on from there.</summary>
+/// <summary>The input as a recording that is played. Its frames come in order, and playback continues after a jump to any time.</summary>
 internal sealed class PlaybackTarget
 {
     private const int Jumps = 4;

@@ -3,10 +3,10 @@ using NeuronMocap.Recording;
 
 namespace NeuronMocap.Fuzz.Targets;
 
-/// <summary>Puts the checksums of a recording right: nothing that was changed would pass the first one else.</summary>
+/// <summary>Corrects the checksums of a recording. Otherwise every changed file would fail at the first checksum.</summary>
 internal static class RecordingChecksums
 {
-    /// <summary>Head and blocks get the checksums that belong to what they hold now.</summary>
+    /// <summary>Writes the checksums of the head and the blocks to match their current content.</summary>
     public static void Mend(Span<byte> file)
     {
         if (file.Length < RecordingLayout.FileHeaderSize)

@@ -4,12 +4,12 @@ using NeuronMocap.Recording;
 namespace NeuronMocap.Fuzz.Targets;
 
 /// <summary>
-/// The input as a recording, mostly with its checksums put right, because nothing that was changed would pass the first one else: what is read is in
-/// order and within bounds, the same from the beginning again, and a jump to any time ends there.
+/// The input as a recording, mostly with corrected checksums, because otherwise every changed file would fail at the first checksum. Results are in
+/// order and within bounds. A second reading from the start gives the same, and a jump to any time ends there.
 /// </summary>
 internal sealed class RecordingTarget
 {
-    /// <summary>A block as it lies in the file and unpacked, 1 MiB each at most, and what opening takes.</summary>
+    /// <summary>A block in the file and unpacked, at most 1 MiB each, plus the memory for opening.</summary>
     public const long AllocatedForBlocks = (3 * 1024 * 1024) + (64 * 1024);
 
     private readonly byte[] _file = new byte[FuzzInput.MaxLength];

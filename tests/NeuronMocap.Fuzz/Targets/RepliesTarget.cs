@@ -4,7 +4,7 @@ using NeuronMocap.Protocol;
 
 namespace NeuronMocap.Fuzz.Targets;
 
-/// <summary>Every command packet of the input as a reply on the data connection, and all that a reply can be asked.</summary>
+/// <summary>Reads every command packet of the input as a reply on the data connection, and queries everything about it.</summary>
 internal sealed class RepliesTarget
 {
     private readonly PacketScanner _scanner = new();

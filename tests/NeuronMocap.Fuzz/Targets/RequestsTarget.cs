@@ -7,7 +7,10 @@ using NeuronMocap.Server.Clients;
 
 namespace NeuronMocap.Fuzz.Targets;
 
-/// <summary>The input as what a client sends to a broadcast: in pieces it gives the requests that a plain search of the whole gives, and each answer is a packet.</summary>
+/// <summary>
+/// The input as bytes that a client sends to a broadcast. Reading it in pieces gives the same requests as a plain search of the whole. Each answer is
+/// a packet.
+/// </summary>
 internal sealed class RequestsTarget
 {
     private const int LongestAnswer = 64 * 1024;

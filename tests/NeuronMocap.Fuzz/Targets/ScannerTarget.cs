@@ -3,7 +3,7 @@ using NeuronMocap.Protocol;
 
 namespace NeuronMocap.Fuzz.Targets;
 
-/// <summary>The whole input in one piece, and its tails, through scanners of different limits.</summary>
+/// <summary>Scans the whole input in one piece, and its tails, with different limits.</summary>
 internal sealed class ScannerTarget
 {
     private const int Tails = 16;
@@ -31,10 +31,10 @@ internal sealed class ScannerTarget
     private static ScanResult Scan(PacketScanner scanner, ReadOnlySpan<byte> bytes, int longest, FuzzInput input)
     {
         ScanResult result = scanner.Scan(bytes);
-        WrongResultException.ThrowUnless(result.Length > 0, "An answer of length zero makes no progress.");
+        WrongResultException.ThrowUnless(result.Length > 0, "An answer of length zero does not advance.");
         WrongResultException.ThrowUnless(
             result.Status == ScanStatus.NeedMoreData ? result.Length > bytes.Length : result.Length <= bytes.Length,
-            "{0} is no answer to {1} bytes.", result, bytes.Length);
+            "{0} is not an answer to {1} bytes.", result, bytes.Length);
         WrongResultException.ThrowUnless(
             result.Status == ScanStatus.Skipped || result.Length <= longest, "{0} is longer than the limits allow.", result);
         WrongResultException.ThrowUnless(

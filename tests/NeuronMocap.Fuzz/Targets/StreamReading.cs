@@ -4,15 +4,15 @@ using NeuronMocap.Protocol;
 namespace NeuronMocap.Fuzz.Targets;
 
 /// <summary>
-/// What came out of a stream: packets, refused headers and their places. Equal for the same stream however it arrives. How skipped bytes are
-/// reported in portions is left out: that may depend on the pieces.
+/// The results of a stream: packets, rejected headers and their places. They are equal for the same stream, however it arrives. The portions in which
+/// skipped bytes are reported are not compared, because they may depend on the pieces.
 /// </summary>
 internal sealed class StreamReading : IPacketReceiver
 {
     private ArraySegment<byte> _stream;
     private Digest _digest;
 
-    /// <summary>Bytes that were delivered or skipped.</summary>
+    /// <summary>The number of bytes that were delivered or skipped.</summary>
     public int Position { get; private set; }
 
     public int Packets { get; private set; }

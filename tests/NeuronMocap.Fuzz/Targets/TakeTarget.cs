@@ -6,7 +6,9 @@ using NeuronMocap.Skeleton;
 
 namespace NeuronMocap.Fuzz.Targets;
 
-/// <summary>Every motion packet of the input as a row of an exported BVH file, with gaps filled and without: the file holds as many rows as are told.</summary>
+/// <summary>
+/// Exports every motion packet of the input as a row of a BVH file, with and without filled gaps. The file has the reported number of rows.
+/// </summary>
 internal sealed class TakeTarget
 {
     private readonly PacketScanner _scanner = new();
@@ -43,7 +45,7 @@ internal sealed class TakeTarget
             return;
 
         var take = BvhDocument.Parse(file.ToArray());
-        WrongResultException.ThrowUnless(take.FrameCount == writer.FrameCount, "{0} rows are told and {1} written.", writer.FrameCount, take.FrameCount);
+        WrongResultException.ThrowUnless(take.FrameCount == writer.FrameCount, "{0} rows are reported but {1} are written.", writer.FrameCount, take.FrameCount);
         for (int frame = 0; frame < take.FrameCount; frame++)
             input.Digest.Add((long)FloatBits.Sum(take.GetFrame(frame)));
     }

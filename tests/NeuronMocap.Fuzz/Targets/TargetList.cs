@@ -5,7 +5,7 @@ using NeuronMocap.Recording;
 
 namespace NeuronMocap.Fuzz.Targets;
 
-/// <summary>All parsers. A new one is a line here.</summary>
+/// <summary>All parsers. To add one, add a line here.</summary>
 internal static class TargetList
 {
     public static IReadOnlyList<FuzzTarget> All { get; } =
@@ -30,7 +30,7 @@ internal static class TargetList
         new("guess", CorpusKind.Packets, () => GuessTarget.Run) { AllocatedPerInput = 128 * 1024 },
         new("requests", CorpusKind.Packets, () => new RequestsTarget().Run) { AllocatedPerInput = 256 * 1024, AllocatedPerByte = 16 },
         new("replies", CorpusKind.Packets, () => new RepliesTarget().Run) { AllocatedPerByte = 32 },
-        // Three changes, each of which may double the take, which is then written and read again.
+        // There are three changes, each of which may double the take. The result is then written and read again.
         new("bvh-edit", CorpusKind.Bvh, () => BvhEditTarget.Run) { Refusal = typeof(BvhFormatException), AllocatedPerInput = 4 * 1024 * 1024, AllocatedPerByte = 16 * 1024 },
         new("take", CorpusKind.Packets, () => new TakeTarget().Run) { AllocatedPerInput = 4 * 1024 * 1024, AllocatedPerByte = 256 },
         new("play", CorpusKind.Recordings, () => new PlaybackTarget().Run)
@@ -42,7 +42,7 @@ internal static class TargetList
 #if TOOLS
         .. Tools.ToolTargets.All,
 #endif
-        // Three readers and a writer have 64 KB each, and lists of repairs are made twice.
+        // Three readers and a writer have 64 KB each, and lists of repairs are created twice.
         new("calc", CorpusKind.Calculation, () => CalculationTarget.Run)
         {
             Refusal = typeof(CalculationFormatException), AllocatedPerInput = 768 * 1024, AllocatedPerByte = 64,

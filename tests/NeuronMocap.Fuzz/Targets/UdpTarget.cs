@@ -6,15 +6,15 @@ using NeuronMocap.Transport;
 
 namespace NeuronMocap.Fuzz.Targets;
 
-/// <summary>The input cut into datagrams of a few or of many senders. Every byte is delivered or skipped, once.</summary>
+/// <summary>The input divided into datagrams of few or many senders. Every byte is delivered or skipped exactly once.</summary>
 internal sealed class UdpTarget
 {
     private const int MostSenders = 80;
 
-    /// <summary>What it takes to remember all senders, the smallest tail of each, and a datagram that waits.</summary>
+    /// <summary>The memory for all senders, the smallest tail of each, and a waiting datagram.</summary>
     public const long AllocatedForSenders = (MostSenders * 8 * 1024) + (64 * 1024);
 
-    // Of computers of their own, and of a few that have several.
+    // Some senders have their own computer, others share one.
     private static readonly SocketAddress[] Addresses =
         [.. Enumerable.Range(1, MostSenders).Select(number => new IPEndPoint(new IPAddress([127, 0, 0, (byte)(1 + (number % 50))]), number).Serialize())];
 
@@ -40,7 +40,7 @@ internal sealed class UdpTarget
         input.Digest.Add(counts.Digest);
         input.Found += counts.Packets;
 
-        // Whoever has an unfinished packet gives it up for a whole one.
+        // A sender gives up an unfinished packet for a whole one.
         joiner.Settle(now, isLast: true);
         foreach (SocketAddress address in Addresses)
             joiner.Push(address, Frame, now);

@@ -11,8 +11,8 @@ using NeuronMocap.Tool.Terminal;
 namespace NeuronMocap.Fuzz.Tools;
 
 /// <summary>
-/// The input as a file that the tools of the monitor read: what they write can be read and is of bounded length, what they say is text that any terminal
-/// can show, a refusal is a sentence, and nothing is left over.
+/// The input as a file that the monitor's file tools read. Their output can be read and has bounded length. Their messages can be shown on any
+/// terminal. A rejection is one sentence, and no files are left over.
 /// </summary>
 internal sealed class FileToolTarget(FileTask task)
 {
@@ -38,7 +38,7 @@ internal sealed class FileToolTarget(FileTask task)
         using (FileStream target = File.Create(_folder.Input))
             target.Write(file);
 
-        // A file says when it was written, which a conversion keeps.
+        // A file has a time of writing, which a conversion keeps.
         File.SetLastWriteTimeUtc(_folder.Input, DateTime.UnixEpoch.AddYears(50));
         FileSettings settings = Choose(ref input.Random);
         int others = -1;
@@ -76,7 +76,7 @@ internal sealed class FileToolTarget(FileTask task)
         };
     }
 
-    // Whether the tool did what it was to do. If not, it says why in one line.
+    // Returns whether the tool succeeded. If not, it reports the reason in one line.
     private bool Run(FileSettings settings, FuzzInput input)
     {
         using var output = new MemoryStream();
@@ -116,13 +116,13 @@ internal sealed class FileToolTarget(FileTask task)
             var reader = new Utf8JsonReader(page);
             while (reader.Read())
             {
-                // It is JSON to its end.
+                // The page is valid JSON to its end.
             }
 
             return;
         }
 
-        // On a terminal the program itself writes colours.
+        // On a terminal, the program itself writes colours.
         foreach (char letter in System.Text.Encoding.UTF8.GetString(page))
             WrongResultException.ThrowUnless(isTerminal || letter == '\n' || !char.IsControl(letter), "The character U+{0:X4} reaches the output.", (int)letter);
     }
@@ -132,7 +132,7 @@ internal sealed class FileToolTarget(FileTask task)
         using var reader = XmlReader.Create(path);
         while (reader.Read())
         {
-            // It is XML to its end.
+            // The page is valid XML to its end.
         }
     }
 

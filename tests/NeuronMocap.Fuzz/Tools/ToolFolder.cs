@@ -1,6 +1,6 @@
 namespace NeuronMocap.Fuzz.Tools;
 
-/// <summary>A folder of this run's own, in which the tools for files read and write. It goes with the program.</summary>
+/// <summary>A folder of this run, in which the file tools read and write. It is deleted with the program.</summary>
 internal sealed class ToolFolder
 {
     private readonly string _folder = Directory.CreateTempSubdirectory("neuronmocap-fuzz-").FullName;
@@ -14,7 +14,7 @@ internal sealed class ToolFolder
     /// <summary>The file to read.</summary>
     public string Input { get; }
 
-    /// <summary>Bytes of all files but the input. Any thread.</summary>
+    /// <summary>Returns the bytes of all files except the input. Any thread.</summary>
     public long CountOutput()
     {
         long count = 0;
@@ -25,7 +25,7 @@ internal sealed class ToolFolder
         }
         catch (IOException)
         {
-            // A file went while it was looked at.
+            // A file was deleted in between.
         }
 
         return count;
@@ -34,7 +34,7 @@ internal sealed class ToolFolder
     public string OutputPath(string extension) => Path.Combine(_folder, "take" + extension);
 
     /// <summary>Deletes the output.</summary>
-    /// <returns>Files that are no output: left over by a tool.</returns>
+    /// <returns>The number of files that are not output: a tool left them over.</returns>
     public int CleanUp(string? output)
     {
         int others = 0;
@@ -58,7 +58,7 @@ internal sealed class ToolFolder
         }
         catch (IOException)
         {
-            // An input that did not come to an end still writes.
+            // An input that did not end still writes.
         }
     }
 }

@@ -3,7 +3,7 @@ using NeuronMocap.Tool.Files;
 
 namespace NeuronMocap.Fuzz.Tools;
 
-/// <summary>The tools for files of the monitor, run in this process.</summary>
+/// <summary>The monitor's file tools, run in this process.</summary>
 internal static class ToolTargets
 {
     private const long Allocated = 48 * 1024 * 1024;

@@ -3,10 +3,10 @@ using System.Text;
 
 namespace NeuronMocap.Hosting.Tests.Samples;
 
-/// <summary>One number of one export: a point of a sum or gauge, or the count of a histogram. Only what the tests look at is read.</summary>
-/// <param name="Name">Of the instrument.</param>
-/// <param name="Unit">Of the instrument.</param>
-/// <param name="Tags">"key=value" of each tag that has a text.</param>
+/// <summary>One number of an export: a point of a sum or gauge, or the count of a histogram. It reads only what the tests use.</summary>
+/// <param name="Name">The name of the instrument.</param>
+/// <param name="Unit">The unit of the instrument.</param>
+/// <param name="Tags">"key=value" for each tag with a text.</param>
 /// <param name="Value">The point's value, or the histogram's count.</param>
 internal sealed record OtlpMetric(string Name, string Unit, IReadOnlyList<string> Tags, double Value)
 {

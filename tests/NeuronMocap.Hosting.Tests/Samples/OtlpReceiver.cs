@@ -6,7 +6,7 @@ using Microsoft.Extensions.Logging;
 
 namespace NeuronMocap.Hosting.Tests.Samples;
 
-/// <summary>A collector on a free loopback port that keeps what it is sent: OTLP as protobuf over HTTP.</summary>
+/// <summary>A collector on a free loopback port that keeps what it receives: OTLP as protobuf over HTTP.</summary>
 internal sealed class OtlpReceiver : IAsyncDisposable
 {
     private readonly WebApplication _server;
@@ -17,10 +17,10 @@ internal sealed class OtlpReceiver : IAsyncDisposable
 
     public ConcurrentQueue<OtlpMetric> Metrics { get; } = [];
 
-    /// <summary>The logs as they came, for a search of their text.</summary>
+    /// <summary>The raw logs, for text searches.</summary>
     public ConcurrentQueue<byte[]> Logs { get; } = [];
 
-    /// <summary>The spans as they came, for a search of their text.</summary>
+    /// <summary>The raw spans, for text searches.</summary>
     public ConcurrentQueue<byte[]> Traces { get; } = [];
 
     public static async Task<OtlpReceiver> StartAsync()

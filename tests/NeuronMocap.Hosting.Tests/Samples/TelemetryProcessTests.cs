@@ -20,14 +20,14 @@ public sealed class TelemetryProcessTests
         Assert.All(frames, metric => Assert.Contains("neuron.reader.name=stage", metric.Tags));
         Assert.Equal(frames.Select(metric => metric.Value).Order(), frames.Select(metric => metric.Value));
 
-        // 60 Hz for at most 3 s, and a little for the start of a process on a busy machine.
+        // 60 Hz for at most 3 s, plus time to start a process on a busy machine.
         Assert.InRange(frames[^1].Value, 2, 400);
         Assert.Equal(0, collector.Metrics.Last(metric => metric.Name == "neuron.reader.lost").Value);
         Assert.InRange(collector.Metrics.Last(metric => metric.Name == "neuron.reader.frame.interval").Value, 1, 400);
         string[] states = [.. collector.Metrics.Where(metric => metric is { Name: "neuron.reader.state", Value: 1 }).SelectMany(metric => metric.Tags)];
         Assert.Contains("neuron.connection.state=receiving", states);
 
-        // The last export is of a reader that has stopped.
+        // The last export comes from a stopped reader.
         Assert.Contains("neuron.connection.state=stopped", states);
         Assert.Contains("Receiving from", Text(collector.Logs), StringComparison.Ordinal);
         Assert.Contains("Receiving from", Text(collector.Traces), StringComparison.Ordinal);

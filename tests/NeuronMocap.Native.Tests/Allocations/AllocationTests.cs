@@ -5,7 +5,7 @@ using NeuronMocap.Tests.Network;
 
 namespace NeuronMocap.Native.Tests.Allocations;
 
-// The classes of the library in this process, where managed memory can be counted to the byte.
+// The classes of the library in this process, where managed memory can be counted exactly.
 public sealed class AllocationTests
 {
     private const int Warm = 500;
@@ -51,7 +51,7 @@ public sealed class AllocationTests
     private static void OnFrame(IntPtr customObject, IntPtr socket, IntPtr header, IntPtr data) =>
         ((Meter)GCHandle.FromIntPtr(customObject).Target!).OnFrame();
 
-    // What the thread that calls it allocates from the end of the warm-up to the last frame.
+    // Counts what the calling thread allocates from the end of the warm-up to the last frame.
     private sealed class Meter : IDisposable
     {
         private readonly TaskCompletionSource<long> _allocated = new(TaskCreationOptions.RunContinuationsAsynchronously);

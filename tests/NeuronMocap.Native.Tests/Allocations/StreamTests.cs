@@ -5,13 +5,13 @@ using NeuronMocap.Tests.Network;
 
 namespace NeuronMocap.Native.Tests.Allocations;
 
-// A long stream, as fast as it is taken, through the library itself.
+// A long stream at full speed, through the library itself.
 public sealed class StreamTests
 {
     private const int Frames = 200_000;
     private const int FramesInBlock = 200;
 
-    // The receive buffer may still double once or twice: 480 KiB in all. Ten bytes a frame would be four times as much.
+    // The receive buffer may still double once or twice, 480 KiB in total. Ten bytes for each frame would be four times as much.
     private const long MostPages = 512 * 1024 / 4096;
 
     [Fact]

@@ -18,7 +18,7 @@ public sealed class CommandChannelTests : CommandChannelContract
         await AskForEverythingAsync(driver);
     }
 
-    // Programs of older headers, and languages that take a bool for an int and read four bytes.
+    // Programs with older headers, and languages that use an int for a bool and read four bytes.
     [Fact]
     public async Task Other_declarations_of_the_functions_work()
     {

@@ -41,7 +41,7 @@ public sealed class DataCommandTests
         Assert.StartsWith($"answer answers {socket} id 4 version 01000002 ", text, StringComparison.Ordinal);
         Assert.EndsWith(" bytes 'HIERARCHY'", text, StringComparison.Ordinal);
 
-        // Those that are watched are told at once, too.
+        // Watched values are also reported at once.
         Assert.Equal("1", await program.CallAsync($"watch {socket} 6"));
         Assert.Equal([ModeOf(socket, 0, 2), ModeOf(socket, 1, 2)], [await program.ReadAsync("answer"), await program.ReadAsync("answer")]);
         server.SetCombinationMode(1, SensorCombination.ArmOnly);
@@ -57,7 +57,7 @@ public sealed class DataCommandTests
         Assert.Empty(program.Errors);
     }
 
-    // Requests byte for byte, protocol.md section 7.
+    // Requests byte for byte (protocol.md section 7).
     [Fact]
     public async Task Requests_have_the_bytes_of_the_old_protocol()
     {
@@ -77,7 +77,7 @@ public sealed class DataCommandTests
         }
     }
 
-    // The vendor's library lost what was split.
+    // The vendor's library lost split packets.
     [Theory]
     [InlineData(1)]
     [InlineData(63)]
@@ -91,7 +91,7 @@ public sealed class DataCommandTests
         string socket = await program.CallAsync($"connect 127.0.0.1 {server.Port}");
         using TestConnection connection = await server.AcceptAsync();
 
-        // Nobody has asked; lengths as servers are known to be wrong about them.
+        // Unrequested replies, with lengths that servers are known to get wrong.
         await connection.SendPiecesAsync(
             TestPackets.Join(
                 DataReplies.AvatarCount(3),

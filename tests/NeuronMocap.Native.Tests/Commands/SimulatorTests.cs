@@ -4,7 +4,7 @@ using NeuronMocap.Native.Tests.Infrastructure;
 
 namespace NeuronMocap.Native.Tests.Commands;
 
-/// <summary>Programs of both generations on the simulator as it is installed.</summary>
+/// <summary>Programs of both generations with the installed simulator.</summary>
 public sealed class SimulatorTests
 {
     [Fact]
@@ -34,7 +34,7 @@ public sealed class SimulatorTests
         Assert.EndsWith(" bytes 'HIERARCHY'", await older.ReadAsync("answer"), StringComparison.Ordinal);
     }
 
-    // As it was built, with the tests' configuration.
+    // Built with the configuration of the tests.
     private static NativeProgram Start(params string[] arguments)
     {
         var output = new DirectoryInfo(AppContext.BaseDirectory);

@@ -3,12 +3,12 @@ using NeuronMocap.Tests.Vendor;
 
 namespace NeuronMocap.Native.Tests.Functions;
 
-// What both surfaces of the vendor's functions promise, kept by the C functions.
+// The contract that both surfaces of the vendor's functions keep, applied to the C functions.
 public sealed class ConnectTests : ConnectContract
 {
     private protected override VendorDriver Start() => new Driver();
 
-    // No text of C# is broken so.
+    // C# texts cannot be invalid in this way.
     [Fact]
     public async Task A_host_name_of_invalid_text_fails_without_a_crash()
     {

@@ -4,7 +4,7 @@ using NeuronMocap.Tests.Network;
 
 namespace NeuronMocap.Native.Tests.Functions;
 
-// tests/native/receiver.cpp: a program in C++98 whose objects get the callbacks.
+// tests/native/receiver.cpp: a C++98 program whose objects receive the callbacks.
 public sealed class CppProgramTests
 {
     [Fact]

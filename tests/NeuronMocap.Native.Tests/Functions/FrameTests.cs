@@ -5,7 +5,7 @@ using NeuronMocap.Tests.Vendor;
 
 namespace NeuronMocap.Native.Tests.Functions;
 
-// What lies behind the pointers of the data callbacks, byte for byte.
+// The memory behind the pointers of the data callbacks, byte for byte.
 public sealed class FrameTests
 {
     [Theory]
@@ -35,7 +35,7 @@ public sealed class FrameTests
         await using var driver = new Driver();
         (string handle, TestConnection connection) = await driver.ConnectAsync(server);
 
-        // In pieces, and behind a smaller one.
+        // In pieces, and after a smaller one.
         await connection.SendAsync(TestPackets.Motion(1, count: 180));
         await connection.SendPiecesAsync(TestPackets.Join(packet, packet), 977);
         await driver.FramesAsync(3);
@@ -99,7 +99,7 @@ public sealed class FrameTests
         await driver.EndAsync();
     }
 
-    // The driver looks again at the end of every callback, and says if something was written over.
+    // The driver compares the frame again at the end of every callback, and reports overwritten data.
     [Fact]
     public async Task The_memory_of_a_frame_is_stable_during_the_callback()
     {
@@ -112,7 +112,7 @@ public sealed class FrameTests
         await connection.SendAsync(TestPackets.Motions(1, 100));
         await driver.UntilAsync(() => driver.Reactions.Count == 1);
 
-        // Another connection goes on meanwhile, on its own thread and in its own memory.
+        // Another connection continues meanwhile, on its own thread and in its own memory.
         await busy.SendAsync(TestPackets.Motions(1, 100));
         await driver.UntilAsync(() => driver.Frames.Count(frame => frame.Sender == second) == 100);
         Assert.Single(driver.Frames, frame => frame.Sender == handle);
@@ -150,7 +150,7 @@ public sealed class FrameTests
             Assert.Equal((0ul, 64ul), (frame.HeaderAddress % 16, frame.DataAddress - frame.HeaderAddress));
         });
 
-        // Programs may keep it.
+        // Programs may keep the address.
         Assert.Single(frames.Select(static frame => frame.HeaderAddress).Distinct());
     }
 }

@@ -6,8 +6,8 @@ using NeuronMocap.Native.Host;
 
 namespace NeuronMocap.Native.Tests.Functions;
 
-// Every way from C into the library, called here as C calls it: what is thrown inside comes back as the function's failure and the last error. A function
-// without a guard would end this process, or not take the exception that is meant for it.
+// Every entry from C into the library, called here as C calls it. An exception inside becomes the function's failure and the last error. A function
+// without a guard would end this process, or would not catch the exception that is meant for it.
 public sealed class GuardTests
 {
     private static readonly Exception[] Faults =
@@ -59,7 +59,7 @@ public sealed class GuardTests
         _ => entry.ReturnType == typeof(void) ? null : Activator.CreateInstance(entry.ReturnType),
     };
 
-    // With zeros and null pointers, by the address that C has.
+    // Called with zeros and null pointers, by the address that C has.
     private static object? Call(MethodInfo entry)
     {
         CallingConvention convention = entry.GetCustomAttribute<UnmanagedCallersOnlyAttribute>()!.CallConvs is { Length: > 0 } ? CallingConvention.Cdecl : CallingConvention.Winapi;

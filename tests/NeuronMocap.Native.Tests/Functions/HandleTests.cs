@@ -4,7 +4,7 @@ using NeuronMocap.Tests.Network;
 
 namespace NeuronMocap.Native.Tests.Functions;
 
-// Handles that are none, and memory that is none: nothing happens.
+// Invalid handles and invalid memory have no effect.
 public sealed class HandleTests
 {
     private const string NothingDone = "20";
@@ -33,7 +33,7 @@ public sealed class HandleTests
         await driver.EndAsync();
     }
 
-    // Addresses of the program's own, misaligned ones, and numbers that no library would give.
+    // Addresses of the program itself, misaligned addresses, and numbers that no library would return.
     [Fact]
     public async Task Functions_ignore_foreign_handles()
     {
@@ -51,7 +51,7 @@ public sealed class HandleTests
         await driver.EndAsync();
     }
 
-    // A data connection takes the four commands of b12, and a command connection those of b18; a UDP service none.
+    // A data connection accepts the four commands of b12. A command connection accepts those of b18. A UDP service accepts none.
     [Fact]
     public async Task Functions_ignore_handles_of_other_kinds_of_connection()
     {

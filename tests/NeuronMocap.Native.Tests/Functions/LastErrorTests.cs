@@ -17,7 +17,7 @@ public sealed class LastErrorTests
         (_, TestConnection connection) = await driver.ConnectAsync(server);
         Assert.Equal("Failed to connect to ':0'. System error code: 22", await driver.CallAsync("error"));
 
-        // From another thread, too.
+        // Also from another thread.
         await driver.CallAsync("when frame error");
         await driver.CallAsync("when calculation error-address");
         await connection.SendAsync(TestPackets.Join(TestPackets.Motion(1), TestPackets.Calculation(2)));

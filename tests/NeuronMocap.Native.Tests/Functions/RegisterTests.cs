@@ -3,7 +3,7 @@ using NeuronMocap.Tests.Network;
 
 namespace NeuronMocap.Native.Tests.Functions;
 
-// One callback of each kind for the process: registered, replaced and taken away at any time.
+// The process has one callback of each kind, which can be registered, replaced and removed at any time.
 public sealed class RegisterTests
 {
     [Fact]
@@ -78,7 +78,7 @@ public sealed class RegisterTests
         await driver.EndAsync();
     }
 
-    // The old object may be gone after that: no call that begins later has it.
+    // The old object may be freed after that: no later call uses it.
     [Fact]
     public async Task A_replaced_callback_is_not_called_again()
     {

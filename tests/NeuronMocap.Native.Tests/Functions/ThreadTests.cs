@@ -5,7 +5,7 @@ using NeuronMocap.Tests.Network;
 
 namespace NeuronMocap.Native.Tests.Functions;
 
-// tests/native/threads.c: the functions from four threads at once.
+// tests/native/threads.c calls the functions from four threads at once.
 public sealed class ThreadTests
 {
     [Fact]
@@ -39,7 +39,7 @@ public sealed class ThreadTests
         return [.. program.ReadRest()];
     }
 
-    // Every connection gets frames until it ends.
+    // Every connection receives frames until it ends.
     private static async Task ServeAsync(TestServer server, CancellationToken cancellationToken)
     {
         byte[] frames = TestPackets.Motions(1, 20);

@@ -4,10 +4,10 @@ using NeuronMocap.Tests.Network;
 
 namespace NeuronMocap.Native.Tests.Generations;
 
-/// <summary>A frame as the program b12 prints it.</summary>
+/// <summary>A frame as the b12 program prints it.</summary>
 internal static class B12Frame
 {
-    /// <summary>What <see cref="TestPackets.Motion"/> becomes, image included: put together by hand, field after field.</summary>
+    /// <summary>Returns the line for <see cref="TestPackets.Motion"/>, including the image, assembled field by field.</summary>
     public static string LineOf(string socket, int frame, int avatar = 0, int count = 354, string name = "Char00", string version = "1.0.0.2", int compressed = 0, int reserved = 0)
     {
         (int displacement, int reference) = (count >= 354 ? 1 : 0, count is 186 or 360 ? 1 : 0);
@@ -23,7 +23,7 @@ internal static class B12Frame
             + $"{Convert.ToHexString(image)}");
     }
 
-    /// <summary>A frame of version 1.0.3.4 with both reserved fields set.</summary>
+    /// <summary>Creates a frame of version 1.0.3.4 with both reserved fields set.</summary>
     public static byte[] OldPacket(int frame, int compressed, int reserved)
     {
         byte[] packet = TestPackets.Motion(frame, layout: HeaderLayout.Old);

@@ -6,12 +6,12 @@ using NeuronMocap.Tests.Network;
 
 namespace NeuronMocap.Native.Tests.Generations;
 
-/// <summary>Programs whose header struct is that of b12, on servers of every generation.</summary>
+/// <summary>Programs with the header struct of b12, with servers of every generation.</summary>
 public sealed class HeaderLayoutTests
 {
     private const string Variable = "NEURONDATAREADER_HEADER";
 
-    // Compiled against the headers, or long ago and with the variable set.
+    // Compiled with the current headers, or earlier and with the environment variable set.
     [Theory]
     [InlineData("b12", null)]
     [InlineData("b12-binary", "b12")]
@@ -41,7 +41,7 @@ public sealed class HeaderLayoutTests
         Assert.Empty(program.Errors);
     }
 
-    // Axis Studio's reserved fields hold a timecode, which is no flag of compression.
+    // Axis Studio's reserved fields hold a timecode, not a compression flag.
     [Fact]
     public async Task A_timecode_is_not_taken_for_compression()
     {
@@ -69,7 +69,7 @@ public sealed class HeaderLayoutTests
         using var sender = new Socket(AddressFamily.InterNetwork, SocketType.Dgram, ProtocolType.Udp);
         byte[] packet = TestPackets.Motion(5);
 
-        // As Axis Neuron on macOS sends a frame.
+        // The way Axis Neuron on macOS sends a frame.
         sender.SendTo(packet.AsSpan(0, 1024), new IPEndPoint(IPAddress.Loopback, port));
         sender.SendTo(packet.AsSpan(1024), new IPEndPoint(IPAddress.Loopback, port));
 

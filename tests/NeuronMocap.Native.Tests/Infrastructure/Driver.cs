@@ -2,7 +2,10 @@ using NeuronMocap.Tests.Vendor;
 
 namespace NeuronMocap.Native.Tests.Infrastructure;
 
-/// <summary>The program driver of tests/native, or another one that understands some of its lines: the vendor's functions as C programs have them.</summary>
+/// <summary>
+/// The program driver of tests/native, or another program that understands some of its lines. It offers the vendor's functions as C programs call
+/// them.
+/// </summary>
 internal sealed class Driver(string program = "driver") : VendorDriver
 {
     private readonly NativeProgram _program = NativeProgram.Start(program);

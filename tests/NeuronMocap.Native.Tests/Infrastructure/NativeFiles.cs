@@ -2,7 +2,7 @@ using System.Runtime.InteropServices;
 
 namespace NeuronMocap.Native.Tests.Infrastructure;
 
-/// <summary>What a C program is built with, as the build staged it.</summary>
+/// <summary>The files to build a C program with, as staged by the build.</summary>
 internal static class NativeFiles
 {
     public static string Headers => Repository.PathOf("src", "NeuronMocap.Native", "include");

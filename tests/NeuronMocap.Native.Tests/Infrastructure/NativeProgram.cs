@@ -3,7 +3,7 @@ using System.Threading.Channels;
 
 namespace NeuronMocap.Native.Tests.Infrastructure;
 
-/// <summary>A program of tests/native that runs: lines in, lines out. It is killed when it is not ended.</summary>
+/// <summary>A running program of tests/native that reads and writes lines. It is killed if it does not end.</summary>
 internal sealed class NativeProgram : IAsyncDisposable
 {
     private readonly Process _process;
@@ -38,7 +38,7 @@ internal sealed class NativeProgram : IAsyncDisposable
 
     public static NativeProgram Start(string name, params string[] arguments) => Start(Prepare(name, arguments));
 
-    /// <summary>Starts a program of any language, whose input and outputs are this object's.</summary>
+    /// <summary>Starts a program of any language, and connects its input and outputs to this object.</summary>
     public static NativeProgram Start(ProcessStartInfo start)
     {
         start.RedirectStandardInput = true;
@@ -48,7 +48,7 @@ internal sealed class NativeProgram : IAsyncDisposable
         return new NativeProgram(start);
     }
 
-    /// <summary>A program of tests/native, to be started in an environment that is to be changed first.</summary>
+    /// <summary>Prepares a program of tests/native, so that its environment can be changed before the start.</summary>
     public static ProcessStartInfo Prepare(string name, params string[] arguments)
     {
         string path = Path.Combine(AppContext.BaseDirectory, "native", name);
@@ -58,14 +58,14 @@ internal sealed class NativeProgram : IAsyncDisposable
 
     public void Write(string line) => _process.StandardInput.WriteLine(line);
 
-    /// <summary>The next line of its output.</summary>
+    /// <summary>Reads the next line of its output.</summary>
     public async Task<string> ReadAsync()
     {
         Assert.True(await _lines.Reader.WaitToReadAsync(TestContext.Current.CancellationToken).Soon(), $"The program has ended. {Errors}");
         return await _lines.Reader.ReadAsync(TestContext.Current.CancellationToken);
     }
 
-    /// <summary>The next line that begins so; those before it are passed over.</summary>
+    /// <summary>Reads up to the next line with this start, and skips the lines before it.</summary>
     public async Task<string> ReadAsync(string start)
     {
         while (true)
@@ -76,21 +76,21 @@ internal sealed class NativeProgram : IAsyncDisposable
         }
     }
 
-    /// <summary>Writes a call, and gives what it returned.</summary>
+    /// <summary>Writes a call and returns its result.</summary>
     public async Task<string> CallAsync(string line)
     {
         Write(line);
         return (await ReadAsync("= "))[2..];
     }
 
-    /// <summary>All lines that are left, once it has ended.</summary>
+    /// <summary>Returns all remaining lines after it has ended.</summary>
     public IEnumerable<string> ReadRest()
     {
         while (_lines.Reader.TryRead(out string? line))
             yield return line;
     }
 
-    /// <summary>Ends its input; the number it ended with, 128 and more for a signal.</summary>
+    /// <summary>Ends its input, and returns the exit code: 128 or more for a signal.</summary>
     public async Task<int> EndAsync()
     {
         _process.StandardInput.Close();

@@ -3,7 +3,7 @@ using System.Diagnostics;
 
 namespace NeuronMocap.Native.Tests.Infrastructure;
 
-/// <summary>A program of the system. Tests that need one are skipped where it is missing.</summary>
+/// <summary>A program of the system. Tests that need a missing program are skipped.</summary>
 internal static class SystemTool
 {
     public static void Require(string name, string package) => Assert.SkipUnless(Exists(name), $"{name} is not installed (Debian's {package}).");

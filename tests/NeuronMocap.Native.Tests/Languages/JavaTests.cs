@@ -8,14 +8,14 @@ namespace NeuronMocap.Native.Tests.Languages;
 /// <summary>A Java program on JNA.</summary>
 public sealed class JavaTests : IDisposable
 {
-    // Where Debian puts it.
+    // The location on Debian.
     private const string Jna = "/usr/share/java/jna.jar";
 
     private readonly string _folder = Directory.CreateTempSubdirectory("neuron-mocap-java-").FullName;
 
     public void Dispose() => Directory.Delete(_folder, recursive: true);
 
-    // One process for all of it: a virtual machine starts slowly.
+    // One process for all checks, because a virtual machine starts slowly.
     [Fact]
     public async Task Frames_status_and_commands_reach_a_Java_program()
     {

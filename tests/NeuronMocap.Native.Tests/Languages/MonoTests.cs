@@ -5,7 +5,7 @@ using NeuronMocap.Tests.Server;
 
 namespace NeuronMocap.Native.Tests.Languages;
 
-/// <summary>A C# script on a wrapper of DllImport lines, on Mono: as in a Unity project that keeps its wrapper.</summary>
+/// <summary>A C# script with a wrapper of DllImport lines, on Mono, as in a Unity project that keeps its wrapper.</summary>
 public sealed class MonoTests : IDisposable
 {
     private const int Frames = 300;

@@ -12,7 +12,7 @@ public sealed class PythonTests
 {
     private const int FramesOfAThread = 50;
 
-    // One process for all of it, because each has to start an interpreter. Its connection is never closed.
+    // One process for all checks, because each has to start an interpreter. Its connection is never closed.
     [Fact]
     public async Task Frames_status_and_commands_reach_a_Python_program()
     {
@@ -27,7 +27,7 @@ public sealed class PythonTests
         Assert.Equal("connected True 0 1", await program.ReadAsync("connected"));
         using TestConnection connection = await server.AcceptAsync();
 
-        // What the callback of frame 13 raises ends nothing.
+        // The exception in the callback of frame 13 ends nothing.
         await connection.SendPiecesAsync(
             TestPackets.Join(
                 TestPackets.Motion(13, avatar: 2, count: 186, name: "陈"),

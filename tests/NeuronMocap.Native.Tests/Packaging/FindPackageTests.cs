@@ -2,7 +2,7 @@ using NeuronMocap.Native.Tests.Infrastructure;
 
 namespace NeuronMocap.Native.Tests.Packaging;
 
-/// <summary>What CMake finds on each system, by the package's own files; no library of it is needed.</summary>
+/// <summary>What CMake finds on each system with the package's own files. The libraries themselves are not needed.</summary>
 public sealed class FindPackageTests
 {
     private const string Header = "include/NeuronDataReader.h";

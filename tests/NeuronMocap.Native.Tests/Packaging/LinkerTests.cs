@@ -2,7 +2,7 @@ using NeuronMocap.Native.Tests.Infrastructure;
 
 namespace NeuronMocap.Native.Tests.Packaging;
 
-/// <summary>What a build says that cannot make the library.</summary>
+/// <summary>The messages of a build that cannot create the library.</summary>
 public sealed class LinkerTests
 {
     [Theory]

@@ -2,7 +2,7 @@ using NeuronMocap.Native.Tests.Infrastructure;
 
 namespace NeuronMocap.Native.Tests.Packaging;
 
-/// <summary>A prefix of a system that this machine need not be: CMake's files as publish fills them, and the files that they lead to, empty.</summary>
+/// <summary>An install prefix of any system: CMake's files as filled by publish, and empty files in place of those that they refer to.</summary>
 internal sealed class Prefix : IDisposable
 {
     public const string Version = "1.4.2";
@@ -25,16 +25,16 @@ internal sealed class Prefix : IDisposable
         }
     }
 
-    /// <summary>What CMake is given; a NuGet package has it two levels below its own folder.</summary>
+    /// <summary>The folder passed to CMake. In a NuGet package it is two levels below the root.</summary>
     public string Folder => Path.Combine(Root, "build", "native");
 
     public string Root { get; } = Directory.CreateTempSubdirectory("neuron data reader").FullName;
 
     public string VersionFile => Path.Combine(Folder, "lib", "cmake", "NeuronDataReader", "NeuronDataReaderConfigVersion.cmake");
 
-    /// <summary>Runs find_package for a system, and tells what the imported target says.</summary>
-    /// <param name="request">What follows the package's name.</param>
-    /// <param name="lines">Lines of CMake in front of it, such as the system.</param>
+    /// <summary>Runs find_package for a system, and returns the properties of the imported target.</summary>
+    /// <param name="request">The text after the package's name.</param>
+    /// <param name="lines">Lines of CMake before it, such as the system.</param>
     public async Task<(int ExitCode, string Output)> FindAsync(string request, params string[] lines)
     {
         string project = Path.Combine(Root, "project");

@@ -4,7 +4,7 @@ using NeuronMocap.Native.Tests.Infrastructure;
 
 namespace NeuronMocap.Native.Tests.Packaging;
 
-/// <summary>The folder that publish leaves.</summary>
+/// <summary>The folder created by publish.</summary>
 public sealed class StagedFolderTests
 {
     private static readonly string Folder = Repository.PathOf("artifacts", "native", RuntimeInformation.RuntimeIdentifier);

@@ -1,6 +1,6 @@
 namespace NeuronMocap.Native.Tests.Processes;
 
-// The program's side of the memory: what the library does to it, and that the tools which look at it can be used.
+// The program's view of memory: what the library does to it, and that memory checkers work with the library.
 public sealed class MemoryTests
 {
     [Theory]

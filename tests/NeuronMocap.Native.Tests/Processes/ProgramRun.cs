@@ -2,14 +2,14 @@ using System.Diagnostics;
 
 namespace NeuronMocap.Native.Tests.Processes;
 
-/// <summary>A program of tests/native/process that has run: what it ended with (128 and more for a signal), and all that it printed.</summary>
+/// <summary>A finished program of tests/native/process: its exit code (128 or more for a signal) and all its output.</summary>
 internal sealed record ProgramRun(int ExitCode, string Output)
 {
     public static string Folder => Path.Combine(AppContext.BaseDirectory, "native");
 
     public static Task<ProgramRun> OfAsync(string name, params string[] arguments) => InAsync(PathOf(name), arguments);
 
-    /// <summary>Runs it, and asserts that it is content and prints nothing.</summary>
+    /// <summary>Runs it, and asserts that it succeeds without output.</summary>
     public static async Task SucceedsAsync(string name, params string[] arguments) =>
         Assert.Equal(new ProgramRun(0, string.Empty), await OfAsync(name, arguments));
 

@@ -5,7 +5,7 @@ public sealed class SurroundingsTests
     [Fact]
     public Task The_process_environment_is_unchanged() => ProgramRun.SucceedsAsync("surroundings");
 
-    // Rounded upwards the first would be another number, and without denormal numbers the second would be zero.
+    // With rounding upwards, the first would be another number. Without denormal numbers, the second would be zero.
     [Theory]
     [InlineData("0.1")]
     [InlineData("1e-40")]

@@ -10,7 +10,7 @@ public sealed class ThreadTests
     [InlineData("random")]
     public Task Any_thread_may_call(string how) => ProgramRun.SucceedsAsync("threads", how);
 
-    // As callbacks do that ask the thread of a window for something.
+    // Like callbacks that wait for the thread of a window.
     [Theory]
     [InlineData("read")]
     [InlineData("two")]

@@ -4,10 +4,10 @@ using NeuronMocap.Native.Tests.Infrastructure;
 
 namespace NeuronMocap.Native.Tests.Surface;
 
-/// <summary>What the headers declare, and what the library has.</summary>
+/// <summary>The declarations of the headers, and the symbols of the library.</summary>
 internal static partial class CSurface
 {
-    /// <summary>Declarations and macros of both headers, in their order, without comments.</summary>
+    /// <summary>Returns declarations and macros of both headers, in their order, without comments.</summary>
     public static async Task<IReadOnlyList<string>> DeclarationsAsync(string generation)
     {
         (int code, string output, string errors) = await SystemTool.RunAsync(
@@ -22,7 +22,7 @@ internal static partial class CSurface
             .Where(static match => match.Success)
             .Select(static match => match.Groups["name"].Value);
 
-    /// <summary>Names of the library's dynamic symbols, without their versions.</summary>
+    /// <summary>Returns names of the library's dynamic symbols, without their versions.</summary>
     public static async Task<string[]> ExportsAsync()
     {
         (int code, string output, string errors) = await SystemTool.RunAsync("nm", "-D", "--defined-only", "--format=posix", NativeFiles.Library);
@@ -39,7 +39,7 @@ internal static partial class CSurface
         ];
     }
 
-    // Those that the preprocessor took from our headers.
+    // The lines that the preprocessor took from our headers.
     private static IEnumerable<string> OwnLines(IEnumerable<string> lines)
     {
         bool isOwn = false;

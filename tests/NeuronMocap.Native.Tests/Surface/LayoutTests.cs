@@ -3,7 +3,7 @@ using NeuronMocap.Native.Tests.Infrastructure;
 
 namespace NeuronMocap.Native.Tests.Surface;
 
-// The headers with every compiler that is there: tests/native/layout.h asserts all sizes, offsets and values, and no warning is left.
+// Compiles the headers with every installed compiler. tests/native/layout.h asserts all sizes, offsets and values, and there are no warnings.
 public sealed class LayoutTests
 {
     private static readonly string[] Names = ["gcc", "g++", "clang", "clang++"];
@@ -14,16 +14,16 @@ public sealed class LayoutTests
         "-I" + NativeFiles.Headers,
     ];
 
-    // As Windows with 32 bits, where callbacks and functions differ in their calling conventions.
+    // As on 32-bit Windows, where callbacks and functions have different calling conventions.
     private static readonly string[] Windows =
     [
         "-m32", "-ffreestanding", "-D_WIN32", "-D__declspec(x)=", "-D__stdcall=__attribute__((stdcall))", "-D__cdecl=__attribute__((cdecl))",
     ];
 
-    /// <summary>A row for each compiler that is there, standard and generation; one that is skipped for each that is missing.</summary>
+    /// <summary>A row for each installed compiler, standard and generation, and a skipped row for each missing compiler.</summary>
     public static IEnumerable<TheoryDataRow<string, string, string>> Compilers => Names.SelectMany(Rows);
 
-    /// <summary>The same without the missing ones, unless all are.</summary>
+    /// <summary>The same without missing compilers, unless all are missing.</summary>
     public static IEnumerable<TheoryDataRow<string, string, string>> InstalledCompilers =>
         Names.Any(SystemTool.Exists) ? Names.Where(SystemTool.Exists).SelectMany(Rows) : Rows(Names[0]);
 
@@ -52,7 +52,7 @@ public sealed class LayoutTests
         await CompileAsync(compiler, standard, generation, [.. Windows, "-DLAYOUT_WINDOWS_LAST"]);
     }
 
-    // With programs' own definitions of what others have too, without ours, and whichever header comes first.
+    // With a program's own definitions of common names, without ours, and with either header first.
     [Theory]
     [InlineData("B18")]
     [InlineData("B12")]

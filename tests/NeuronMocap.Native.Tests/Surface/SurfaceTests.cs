@@ -1,6 +1,6 @@
 namespace NeuronMocap.Native.Tests.Surface;
 
-// The C surface against tests/NeuronMocap.Tests/PublicApi/libNeuronDataReader.txt: what a change does to users is seen in its diff.
+// Compares the C surface with tests/NeuronMocap.Tests/PublicApi/libNeuronDataReader.txt, whose diff shows how a change affects users.
 public sealed class SurfaceTests
 {
     private const string UpdateVariable = "NEURONMOCAP_UPDATE_API";
@@ -41,7 +41,7 @@ public sealed class SurfaceTests
         Assert.Equal(declared.Order(StringComparer.Ordinal), await CSurface.ExportsAsync());
     }
 
-    // Without a macro the newest generation is meant, and B18 is no word that the headers know.
+    // Without a macro, the newest generation applies. The headers do not know the macro B18.
     [Fact]
     public async Task The_old_header_declares_the_newest_functions()
     {

@@ -30,7 +30,7 @@ public sealed partial class ArchiveTests
         foreach ((string path, byte[] content) in ThePackage.Staged.Files.Where(static file => !file.Key.EndsWith(".md", StringComparison.Ordinal)))
             Assert.Equal(content, opened[$"Assets/NeuronMocap/{path.Replace("~", "", StringComparison.Ordinal)}"]);
 
-        // Unity wants a meta for all it imports: only those of what is hidden in the other one come in addition.
+        // Unity needs a meta file for everything that it imports. Only those for files hidden in the other archive are added.
         string[] added = [.. opened.Keys.Except(ThePackage.Staged.Files.Keys.Select(static path => $"Assets/NeuronMocap/{path.Replace("~", "", StringComparison.Ordinal)}"))];
         Assert.Contains("Assets/NeuronMocap.meta", added);
         Assert.Contains("Assets/NeuronMocap/Samples.meta", added);
@@ -77,7 +77,7 @@ public sealed partial class ArchiveTests
         Assert.Equal(AssetPackage, UnityPackageArchive.Create(again));
     }
 
-    // A changed byte, a missing meta and a foreign place are seen when an archive is opened.
+    // Opening an archive detects a changed byte, a missing meta file and a file in the wrong place.
     [Fact]
     public void A_broken_archive_is_refused()
     {

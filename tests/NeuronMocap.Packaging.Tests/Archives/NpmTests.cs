@@ -5,7 +5,7 @@ using NeuronMocap.UnityPackager.Archives;
 
 namespace NeuronMocap.Packaging.Tests.Archives;
 
-// Unity's package manager and package registries take what npm takes.
+// Unity's package manager and package registries accept what npm accepts.
 public sealed class NpmTests
 {
     [Fact]
@@ -24,7 +24,7 @@ public sealed class NpmTests
         Assert.All(ThePackage.Staged.Files, file => Assert.Equal(file.Value, File.ReadAllBytes(Path.Combine(installed, file.Key))));
     }
 
-    // Unity brings the modules that the package depends on, and no registry has them: stand-ins, so that nothing is looked for outside.
+    // Unity provides the modules that the package depends on, and no registry has them. Stand-ins keep npm from searching online.
     private static string CreateProject(TemporaryFolder folder)
     {
         using var manifest = JsonDocument.Parse(ThePackage.Staged.Files["package.json"]);

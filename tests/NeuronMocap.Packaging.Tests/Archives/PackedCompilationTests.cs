@@ -4,7 +4,7 @@ using NeuronMocap.UnityPackager.Archives;
 
 namespace NeuronMocap.Packaging.Tests.Archives;
 
-// What Unity does with the tarball.
+// Compiles the tarball as Unity does.
 public sealed class PackedCompilationTests
 {
     private static readonly StagedPackage Package = UpmTarball.Read(UpmTarball.Create(ThePackage.Staged));

@@ -5,7 +5,7 @@ using NeuronMocap.UnityPackager.Checks;
 
 namespace NeuronMocap.Packaging.Tests.Checks;
 
-// A check that cannot fail is none: each fault is put into the package, and is the one thing that is found.
+// Shows that every check can fail: each fault is put into the package and is the only finding.
 public sealed class LintTests
 {
     private const string Definition = "Runtime/NeuronMocap.Unity.asmdef";

@@ -3,7 +3,7 @@ using Microsoft.CodeAnalysis.CSharp.Syntax;
 
 namespace NeuronMocap.Packaging.Tests.Documentation;
 
-/// <summary>Documentation~/components.md: every component and each of its fields, out of the tooltips and ranges of the sources.</summary>
+/// <summary>Generates Documentation~/components.md: every component and its fields, from the tooltips and ranges in the sources.</summary>
 internal sealed class ComponentPage(PackageSources sources)
 {
     private readonly StringBuilder _text = new();
@@ -16,7 +16,7 @@ internal sealed class ComponentPage(PackageSources sources)
     {
         Line("# Components");
         Line();
-        Line("All are in the menu *Add Component > NeuronMocap*. Each field has this text as its tooltip, too. This page is written by a test out of the sources.");
+        Line("The components are in the menu *Add Component > NeuronMocap*. Each field has the same text as its tooltip. A test generates this page from the sources.");
         foreach ((string menu, TypeDeclarationSyntax type) in sources.Components)
             Section(menu, type.Identifier.Text);
 
@@ -52,7 +52,7 @@ internal sealed class ComponentPage(PackageSources sources)
             return;
 
         Line();
-        Line("| field | | range | at first |");
+        Line("| field | | range | default |");
         Line("|---|---|---|---|");
         foreach (InspectorField field in fields)
         {

@@ -68,7 +68,7 @@ public sealed partial class DocumentationTests
         Assert.Empty(Directory.EnumerateFiles(Path.Combine(Folder, "images")).Select(static picture => $"images/{Path.GetFileName(picture)}").Except(shown));
     }
 
-    // What a page calls a menu item, from its first level: *GameObject > NeuronMocap > Source*.
+    // Menu items on pages are written from their first level: *GameObject > NeuronMocap > Source*.
     [Fact]
     public void Documented_menu_items_exist_in_the_sources()
     {
@@ -82,7 +82,7 @@ public sealed partial class DocumentationTests
             item));
     }
 
-    // NEURONMOCAP_UPDATE_DOCS=1 writes it anew.
+    // NEURONMOCAP_UPDATE_DOCS=1 rewrites the file.
     private static void Check(string name, string expected)
     {
         string path = Path.Combine(Folder, name);

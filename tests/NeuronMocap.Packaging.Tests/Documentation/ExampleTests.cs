@@ -3,7 +3,7 @@ using NeuronMocap.Packaging.Tests.Infrastructure;
 
 namespace NeuronMocap.Packaging.Tests.Documentation;
 
-// The scripts on the pages are put into projects as they are. A program of a server's stands behind a marker, <!-- program: SDK -->.
+// The scripts on the pages are compiled unchanged. The marker <!-- program: SDK --> precedes the program of a server.
 public sealed partial class ExampleTests
 {
     public static TheoryData<string, string> Scripts => Find(isProgram: false);

@@ -8,7 +8,7 @@ using NeuronMocap.Tests.Infrastructure;
 
 namespace NeuronMocap.Packaging.Tests.Documentation;
 
-/// <summary>What strangers see first: the read-me, the read-me of each package, the changelog and the sample takes.</summary>
+/// <summary>The first pages that users see: the README, the README of each package, the changelog and the sample takes.</summary>
 public sealed partial class FrontPageTests
 {
     private static readonly XDocument Properties = XDocument.Load(Repository.PathOf("Directory.Build.props"));
@@ -36,7 +36,7 @@ public sealed partial class FrontPageTests
         Assert.Equal([$"## {Properties.Descendants("VersionPrefix").Single().Value}"], lines.Where(static line => line.StartsWith("## ", StringComparison.Ordinal)));
     }
 
-    // Packing puts the project's address before links that begin in this way.
+    // Packing inserts the project's address before links with this start.
     [Theory, MemberData(nameof(PackedProjects))]
     public void Packing_can_complete_the_links_of_a_package_readme(string project)
     {

@@ -3,7 +3,7 @@ using Microsoft.CodeAnalysis.CSharp.Syntax;
 
 namespace NeuronMocap.Packaging.Tests.Documentation;
 
-/// <summary>A field as the inspector shows it: what its attributes and its initial value say.</summary>
+/// <summary>A field as the inspector shows it, from its attributes and its initial value.</summary>
 internal sealed record InspectorField(string Name, string Type, string? Tooltip, string? Range, string? Initial, string? Header)
 {
     public static IEnumerable<InspectorField> Of(TypeDeclarationSyntax type) => type.Members
@@ -11,7 +11,7 @@ internal sealed record InspectorField(string Name, string Type, string? Tooltip,
         .Where(IsShown)
         .SelectMany(static field => field.Declaration.Variables.Select(variable => Create(field, variable)));
 
-    /// <summary>What the inspector makes of a name: _bvhAsset is Bvh Asset.</summary>
+    /// <summary>Converts a name as the inspector does: _bvhAsset becomes Bvh Asset.</summary>
     public static string Nicify(string name)
     {
         string words = string.Concat(name.TrimStart('_').Select(static (letter, i) => i > 0 && char.IsUpper(letter) ? $" {letter}" : letter.ToString()));

@@ -6,7 +6,9 @@ using NeuronMocap.Skeleton;
 
 namespace NeuronMocap.Packaging.Tests.Documentation;
 
-/// <summary>Documentation~/images/mapping.svg: the stream's skeleton from the front, a hand from above, and which Humanoid bone follows which of its bones.</summary>
+/// <summary>
+/// Draws Documentation~/images/mapping.svg: the stream's skeleton from the front, a hand from above, and the Humanoid bone that follows each bone.
+/// </summary>
 internal sealed class MappingDiagram
 {
     private const string Followed = "#d9541e";
@@ -50,10 +52,10 @@ internal sealed class MappingDiagram
             string color = _targets.ContainsKey(bone) ? Followed : Folded;
             _svg.Append(CultureInfo.InvariantCulture, $"""<circle cx="{at.X:F1}" cy="{at.Y:F1}" r="5" fill="{color}"/>""").Append('\n');
 
-            // The thumb lies under the index finger, seen from above.
+            // Seen from above, the thumb is below the index finger.
             bool isThumb = bone is >= Bone.LeftHandThumb1 and <= Bone.LeftHandThumb3;
 
-            // Right of it is the neck.
+            // The neck is to the right of it.
             bool isRightShoulder = bone == Bone.RightShoulder;
             Text(at.X + (isThumb ? -8 : isRightShoulder ? -18 : 7), at.Y + (isThumb ? 20 : -6), ((int)bone).ToString(CultureInfo.InvariantCulture), "#222222", 12);
         }

@@ -27,7 +27,7 @@ internal sealed partial class PackageSources
 
     public static PackageSources Load() => new(Parse(Path.Combine(ThePackage.Folder, "Runtime")), Parse(Repository.PathOf("src", "NeuronMocap")));
 
-    /// <summary>The components of the menu, by what the menu calls them.</summary>
+    /// <summary>The components of the menu, by their menu names.</summary>
     public IEnumerable<(string Menu, TypeDeclarationSyntax Type)> Components => _types
         .SelectMany(static types => types)
         .Select(static type => (Menu: MenuOf(type), type))
@@ -79,7 +79,7 @@ internal sealed partial class PackageSources
         .Select(static attribute => ((LiteralExpressionSyntax)attribute.ArgumentList!.Arguments[0].Expression).Token.ValueText)
         .FirstOrDefault(static menu => menu.StartsWith("NeuronMocap/", StringComparison.Ordinal))?["NeuronMocap/".Length..];
 
-    // As Unity's editor compiles it.
+    // Compiles like Unity's editor.
     private static IEnumerable<SyntaxNode> Parse(string folder) => Directory.EnumerateFiles(folder, "*.cs", SearchOption.AllDirectories)
         .Where(static file => !file.Contains($"{Path.DirectorySeparatorChar}obj{Path.DirectorySeparatorChar}", StringComparison.Ordinal))
         .Order(StringComparer.Ordinal)

@@ -3,10 +3,10 @@ using Microsoft.CodeAnalysis.CSharp;
 
 namespace NeuronMocap.Packaging.Tests.Infrastructure;
 
-/// <summary>What a project of ASP.NET Core with a reference to NeuronMocap makes of a program.</summary>
+/// <summary>Compiles a program as an ASP.NET Core project with a reference to NeuronMocap does.</summary>
 internal static class ServerCompiler
 {
-    // The usings that such a project has by itself, those that the programs need.
+    // The implicit usings of such a project that the programs need.
     private const string ImplicitUsings = """
         global using System;
         global using System.Threading;
@@ -15,7 +15,7 @@ internal static class ServerCompiler
         global using Microsoft.AspNetCore.Http;
         """;
 
-    // With the frameworks come the assemblies of this project, NeuronMocap among them.
+    // The frameworks' assemblies include those of this project, and thus NeuronMocap.
     private static readonly MetadataReference[] References = [.. ((string)AppContext.GetData("TRUSTED_PLATFORM_ASSEMBLIES")!)
         .Split(Path.PathSeparator)
         .Select(static file => MetadataReference.CreateFromFile(file))];

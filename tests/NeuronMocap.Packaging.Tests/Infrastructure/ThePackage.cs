@@ -4,7 +4,7 @@ using NeuronMocap.UnityPackager;
 
 namespace NeuronMocap.Packaging.Tests.Infrastructure;
 
-/// <summary>The package of this repository, with the libraries that were built with the tests.</summary>
+/// <summary>The package of this repository, with the libraries built with the tests.</summary>
 internal static class ThePackage
 {
     private static readonly string Built = typeof(ThePackage).Assembly.GetCustomAttribute<AssemblyConfigurationAttribute>()!.Configuration;
@@ -12,12 +12,12 @@ internal static class ThePackage
 
     public static string Folder => Repository.PathOf("unity-package");
 
-    /// <summary>Debug or Release, as the tests.</summary>
+    /// <summary>Debug or Release, like the tests.</summary>
     public static string Configuration => Built;
 
     public static StagedPackage Staged => Loaded.Value;
 
-    /// <summary>A copy with something changed.</summary>
+    /// <summary>Returns a changed copy.</summary>
     public static StagedPackage With(Action<Dictionary<string, byte[]>> change)
     {
         Dictionary<string, byte[]> files = Staged.Files.ToDictionary(StringComparer.Ordinal);

@@ -3,7 +3,7 @@ using NeuronMocap.Tests.Infrastructure;
 
 namespace NeuronMocap.Packaging.Tests.Infrastructure;
 
-/// <summary>A program that runs to its end.</summary>
+/// <summary>Runs a program to its end.</summary>
 internal static class Tool
 {
     public static bool Exists(string program) => (Environment.GetEnvironmentVariable("PATH") ?? string.Empty)

@@ -6,8 +6,8 @@ using NeuronMocap.UnityPackager;
 namespace NeuronMocap.Packaging.Tests.Infrastructure;
 
 /// <summary>
-/// What Unity does with a package: it compiles each assembly definition's sources, with no other library than those of the package that the definition
-/// names. Unity itself is the stand-in.
+/// Compiles a package as Unity does: the sources of each assembly definition, with only those libraries of the package that the definition names. A
+/// stand-in replaces Unity itself.
 /// </summary>
 internal sealed class UnityCompiler
 {
@@ -29,20 +29,20 @@ internal sealed class UnityCompiler
         Definitions = [.. AssemblyDefinition.FindAll(package).Where(definition => !definition.IsTest && (isEditor || !definition.IsEditorOnly))];
     }
 
-    /// <summary>The assemblies that there are, tests left out.</summary>
+    /// <summary>The assembly definitions, without tests.</summary>
     public AssemblyDefinition[] Definitions { get; }
 
-    /// <summary>Names of those that were compiled.</summary>
+    /// <summary>The names of the compiled assemblies.</summary>
     public IReadOnlyCollection<string> Compiled => _compiled.Keys;
 
-    /// <summary>Compiles all assemblies, references first; fails with the first errors.</summary>
+    /// <summary>Compiles all assemblies, references first. Fails with the first errors.</summary>
     public void CompileAll()
     {
         while (Definitions.FirstOrDefault(definition => !_compiled.ContainsKey(definition.Name) && definition.References.All(_compiled.ContainsKey)) is { } definition)
             CompileOne(definition);
     }
 
-    /// <summary>What is wrong with a script of a project that has the package: it sees the assembly of the components, and the libraries.</summary>
+    /// <summary>Returns the errors of a script in a project with the package. The script sees the component assembly and the libraries.</summary>
     public IEnumerable<Diagnostic> FindErrors(string script)
     {
         if (!_compiled.ContainsKey("NeuronMocap.Unity"))

@@ -70,7 +70,7 @@ public sealed class BvhSourceTests
     [Fact]
     public void Only_a_standing_foot_has_contact()
     {
-        // The left leg is lifted in the second half of the take: the knee comes up and the foot with it.
+        // The actor lifts the left leg in the second half of the take: the knee rises, and the foot with it.
         byte[] file = NeuronTake.Write(
             rows: 40, (row, bone) => row >= 20 && bone == Bone.LeftUpLeg ? new Vector3(0, -60, 0) : Vector3.Zero);
         var source = new BvhSource(BvhDocument.Parse(file));

@@ -26,14 +26,14 @@ public sealed class CalculationExportTests
             System.Text.Encoding.ASCII.GetString(text.ToArray()).Split('\n', StringSplitOptions.RemoveEmptyEntries),
             line => Assert.All(line.Split('\t')[..^1], (word, column) => Assert.Matches(column is 336 or 337 ? "^[01]$" : @"^-?\d+\.\d{4}$", word)));
 
-        // The hips stand at the origin, z points down.
+        // The hips are at the origin, and z points down.
         Assert.Equal(Vector3.Zero, frame.GetPosition(Bone.Hips));
         Assert.True(frame.GetPosition(Bone.Head).Z < -0.3f);
         Assert.True(frame.GetPosition(Bone.LeftFoot).Z > 0.5f);
         Assert.True(frame.GetPosition(Bone.LeftUpLeg).X > frame.GetPosition(Bone.RightUpLeg).X);
     }
 
-    // There and back: the poses that the export's own measurement finds put every bone's centre where the take had it.
+    // A round trip: poses computed from the export put every bone's centre where the take had it.
     [Fact]
     public void An_exported_actor_moves_the_same_way()
     {

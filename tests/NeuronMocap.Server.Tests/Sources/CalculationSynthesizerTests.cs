@@ -42,7 +42,7 @@ public class CalculationSynthesizerTests
         CalculationFrame[] frames = [.. Enumerable.Range(0, 301).Select(frame => Calculate(actor, frame))];
         foreach (Bone bone in BoneHierarchy.Bones)
         {
-            // Trapezes between central differences: what is left out at both ends is below a few millimetres.
+            // Trapezoids between central differences. The omitted ends amount to less than a few millimetres.
             Vector3 way = Vector3.Zero;
             for (int i = 1; i < frames.Length; i++)
                 way += (frames[i - 1].GetVelocity(bone) + frames[i].GetVelocity(bone)) / (2 * (float)Rate);
@@ -86,13 +86,13 @@ public class CalculationSynthesizerTests
         Quaternion bowed = Quaternion.CreateFromAxisAngle(Vector3.UnitX, MathF.PI / 2);
         FormulaSource turning = Move((frame, pose) =>
         {
-            // A quaternion and its negative are the same rotation; a source may change between them at any time.
+            // A quaternion and its negative are the same rotation. A source may switch between them at any time.
             Quaternion turn = Quaternion.CreateFromAxisAngle(Vector3.UnitY, (float)(frame / Rate * 3));
             pose[0] = pose[0] with { Rotation = frame % 4 < 2 ? turn : -turn };
             pose[(int)Bone.Neck] = pose[(int)Bone.Neck] with { Rotation = bowed };
         });
 
-        // 3 radians a second: frames 0 to 300 pass through more than a full turn.
+        // At 3 radians a second, frames 0 to 300 pass through more than a full turn.
         foreach (long frame in (long[])[0, 1, 62, 63, 126, 299])
         {
             CalculationFrame calculation = Calculate(turning, frame);

@@ -3,7 +3,7 @@ using NeuronMocap.Skeleton;
 
 namespace NeuronMocap.Server.Tests.Sources;
 
-// A body in rest pose whose bones a test moves by a formula. It fails a test that asks for a frame outside the performance.
+// A body in rest pose whose bones move by a formula of the test. It fails a test that asks for a frame outside the performance.
 internal sealed class FormulaSource(double frameRate, long? frameCount, FormulaSource.Formula formula) : MotionSource
 {
     public delegate void Formula(long frame, Span<BoneTransform> pose);
@@ -23,7 +23,7 @@ internal sealed class FormulaSource(double frameRate, long? frameCount, FormulaS
         formula(frame, pose);
     }
 
-    // Left on the even frames, right on every third.
+    // The left foot has contact on even frames, the right foot on every third.
     public override FootContacts GetFootContacts(long frame)
     {
         RequireFrame(frame);

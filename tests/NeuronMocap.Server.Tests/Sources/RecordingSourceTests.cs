@@ -17,7 +17,7 @@ public sealed class RecordingSourceTests
     [Fact]
     public void Frames_keep_their_values_at_the_rate_of_their_times()
     {
-        // As of a real stream: a few milliseconds early or late.
+        // A few milliseconds early or late, as in a real stream.
         using TemporaryFile file = Record(Enumerable.Range(0, 200), static frame => (frame / 60.0 * 1000) + (frame % 7));
         RecordingSource source = RecordingSource.Load(file.Path);
 
@@ -65,7 +65,7 @@ public sealed class RecordingSourceTests
         Assert.Equal(60, source.FrameRate);
     }
 
-    // Filled, it would be two billion frames.
+    // With filled gaps, it would be two billion frames.
     [Fact]
     public void An_index_jump_without_a_pause_is_no_gap()
     {
@@ -188,7 +188,7 @@ public sealed class RecordingSourceTests
         Assert.Equal(35, offsets[(int)Bone.LeftForeArm].Length(), 1e-3f);
         Assert.Equal(50, Pose(source, 0)[(int)Bone.RightLeg].Position.Length(), 1e-3f);
 
-        // Displacement tells more than twelve sizes.
+        // Displacement carries more than twelve sizes.
         using TemporaryFile displaced = RecordOne(Packet(0), metadata);
         Assert.Equal(Values(0)[(int)Bone.LeftForeArm * 6], Pose(RecordingSource.Load(displaced.Path), 0)[(int)Bone.LeftForeArm].Position.X);
     }

@@ -7,7 +7,7 @@ using NeuronMocap.Tests.Server.Sources;
 
 namespace NeuronMocap.Server.Tests.Sources;
 
-// What a zero-out does to a performance.
+// The effect of a zero-out on a performance.
 public sealed class ZeroOutSourceTests
 {
     private const long Now = 100;
@@ -34,7 +34,7 @@ public sealed class ZeroOutSourceTests
         Assert.Equal(0, Heading(hips), 0.1);
         Assert.NotEqual(0, Heading(was), 5.0);
 
-        // The vertical stays the vertical: the body leans as it leant.
+        // The vertical direction stays: the body keeps its lean.
         Assert.Equal(Vector3.Transform(Vector3.UnitZ, was.Rotation).Y, Vector3.Transform(Vector3.UnitZ, hips.Rotation).Y, 1e-3);
         before.Slice(layout.GetPositionIndex(Bone.Hips), 6).CopyTo(after[layout.GetPositionIndex(Bone.Hips)..]);
         Assert.Equal(before.ToArray(), after.ToArray());
@@ -106,7 +106,7 @@ public sealed class ZeroOutSourceTests
     [Fact]
     public void A_lying_actor_is_turned_about_the_vertical()
     {
-        // On the back: forward is up.
+        // The actor lies on the back, so forward is up.
         byte[] file = NeuronTake.Write(2, static (_, bone) => bone == Bone.Hips ? new Vector3(40, -90, 0) : Vector3.Zero);
         var turnable = new ZeroOutSource(new BvhSource(BvhDocument.Parse(file)));
         turnable.FaceFront(long.MaxValue);
@@ -140,7 +140,7 @@ public sealed class ZeroOutSourceTests
         Assert.Equal(0, Heading(new BoneTransform(default, new Quaternion(actual[7], actual[8], actual[9], actual[6]))), 20.0);
     }
 
-    // A server runs for days, and whoever can connect can ask at every frame.
+    // A server runs for days, and every client can send a request with every frame.
     [Fact]
     public void Many_zero_outs_take_constant_memory()
     {
@@ -188,7 +188,7 @@ public sealed class ZeroOutSourceTests
     private static BoneTransform Read(ReadOnlySpan<float> values, RotationOrder order) => new(
         new Vector3(values[0], values[1], values[2]), EulerAngles.ToQuaternion(new Vector3(values[3], values[4], values[5]), order));
 
-    // Somebody who stands at one place and looks to the side, but for one frame.
+    // An actor who stands in one place and looks to the side, except in one frame.
     private sealed class BrokenPose(long badFrame, float position, float rotation) : MotionSource
     {
         public override double FrameRate => 60;

@@ -5,17 +5,19 @@ using Mono.Cecil.Cil;
 namespace NeuronMocap.Tests.Architecture;
 
 /// <summary>
-/// Which folders below <paramref name="root"/> may use which: every type that a type of one folder mentions, in signatures and in method bodies, has
-/// to belong to the same folder or to an allowed one. Folders are those of the source files, which the symbols of the assembly name. Exceptions of the
-/// root folder may be thrown everywhere. What the compiler generates counts as its declaring type; constants leave no trace in a compiled assembly and
-/// cannot be seen.
+/// Defines which folders below <paramref name="root"/> may use which others. Every type mentioned in a type's signatures and method bodies must
+/// belong to the same folder or to an allowed one.
 /// </summary>
+/// <remarks>
+/// Folders are those of the source files named in the assembly's symbols. Exceptions of the root folder may be thrown everywhere. Compiler-generated
+/// code counts as its declaring type. Constants leave no trace in a compiled assembly, so their use is not detected.
+/// </remarks>
 internal sealed class DependencyRules(string root, IReadOnlyDictionary<string, string[]> allowed)
 {
-    // Stand-ins for the framework's types are used like those: everywhere.
+    // Replacements for types of the framework may be used everywhere, like the framework itself.
     private const string Polyfills = "Polyfills";
 
-    /// <summary>One line for each forbidden use, the offending member first.</summary>
+    /// <summary>Returns one line for each forbidden use, with the offending member first.</summary>
     public List<string> Violations(Assembly assembly)
     {
         using var module = ModuleDefinition.ReadModule(assembly.Location);
@@ -45,7 +47,7 @@ internal sealed class DependencyRules(string root, IReadOnlyDictionary<string, s
         return [.. violations];
     }
 
-    /// <summary>Folders that reach themselves by the rules. Protocol and its text count as one.</summary>
+    /// <summary>Folders that depend on themselves by the rules. Protocol and its text count as one.</summary>
     public IEnumerable<string> Circles() => allowed.Keys.Select(Family).Distinct(StringComparer.Ordinal).Where(family => Reaches(family, family, []));
 
     private bool Reaches(string from, string to, HashSet<string> seen) =>
@@ -60,7 +62,7 @@ internal sealed class DependencyRules(string root, IReadOnlyDictionary<string, s
     private static bool MayUse(string folder, string[] uses, string target) =>
         string.Equals(folder, target, StringComparison.Ordinal) || target is Polyfills || uses.Contains(target, StringComparer.Ordinal);
 
-    // Empty for the root itself, null for what has no source file below it.
+    // Empty for the root itself, null for types without a source file below it.
     private static string? FolderOf(TypeDefinition type, IReadOnlyDictionary<uint, string> folders)
     {
         while (type.DeclaringType is not null)
@@ -150,7 +152,7 @@ internal sealed class DependencyRules(string root, IReadOnlyDictionary<string, s
         }
     }
 
-    // The types that a composed one is made of: elements of arrays and references, arguments of generics.
+    // The component types of a composed type: elements of arrays and references, arguments of generics.
     private static IEnumerable<TypeReference> Parts(TypeReference type) => type switch
     {
         GenericInstanceType generic => [generic.ElementType, .. generic.GenericArguments.SelectMany(Parts)],

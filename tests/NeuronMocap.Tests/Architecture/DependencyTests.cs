@@ -6,7 +6,7 @@ namespace NeuronMocap.Tests.Architecture;
 
 public sealed class DependencyTests
 {
-    // Bytes (Transport) become packets (Protocol), frames (Frames) and reach a queue (Delivery). The root and Reader wire all.
+    // Bytes (Transport) become packets (Protocol), then frames (Frames), and reach a queue (Delivery). The root and Reader connect them.
     private static readonly DependencyRules Client = new("/src/NeuronMocap/", new Dictionary<string, string[]>(StringComparer.Ordinal)
     {
         ["Polyfills"] = [],
@@ -24,7 +24,7 @@ public sealed class DependencyTests
         ["Files/Calculation"] = ["Files", "Frames", "Protocol", "Protocol/Text", "Skeleton"],
         ["Files/Recording"] = ["Files", "Protocol", "Skeleton", "Transport"],
         ["Files/Playback"] = ["Delivery", "Files/Recording", "Frames", "Protocol", "Skeleton", "Transport"],
-        // Text that a server sends is BVH; how to connect, and why that failed, is the same as for a stream.
+        // A server sends text in BVH format. Connecting, and reasons for failures, are the same as for a stream.
         ["Commands"] = ["Delivery", "Files/Bvh", "Protocol", "Skeleton", "Transport"],
         ["Files/Bvh/Export"] = ["Commands", "Delivery", "Files", "Files/Bvh", "Frames", "Protocol", "Skeleton", "Transport"],
         ["Telemetry"] = ["Delivery", "Files", "Files/Recording", "Protocol", "Transport"],
@@ -35,7 +35,7 @@ public sealed class DependencyTests
         ],
     });
 
-    // Performances (Sources) become packets (Broadcasting), which reach whoever receives them (Clients). The root wires all.
+    // Performances (Sources) become packets (Broadcasting), which reach the receivers (Clients). The root connects them.
     private static readonly DependencyRules Server = new("/src/NeuronMocap.Server/", new Dictionary<string, string[]>(StringComparer.Ordinal)
     {
         ["Faults"] = [],
@@ -46,7 +46,7 @@ public sealed class DependencyTests
         ["Clients"] = ["Broadcasting", "Faults", "Options", "Sources"],
     });
 
-    // Packages that the net8.0 builds declare and that are no part of the framework.
+    // Packages that the net8.0 builds declare and that are not part of the framework.
     private static readonly string[] Declared = ["Microsoft.Extensions.Logging.Abstractions"];
 
     public static TheoryData<string> Assemblies => [typeof(MotionFrame).Assembly.GetName().Name!, typeof(MotionSource).Assembly.GetName().Name!];

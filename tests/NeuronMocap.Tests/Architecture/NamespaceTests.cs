@@ -6,8 +6,8 @@ public sealed class NamespaceTests
 {
     public static TheoryData<string> Assemblies => DependencyTests.Assemblies;
 
-    // User code says "using NeuronDataReaderWraper;" and then "NeuronDataReader.BRConnectTo(...)": a namespace of that name at the top level
-    // would win over the vendor's class. The vendor's Unity scripts declare Neuron and Noitom. So nothing of ours stands outside NeuronMocap.
+    // User code has "using NeuronDataReaderWraper;" and calls "NeuronDataReader.BRConnectTo(...)". A top-level namespace of that name would hide the
+    // vendor's class. The vendor's Unity scripts declare Neuron and Noitom. All of our types are therefore inside NeuronMocap.
     [Theory, MemberData(nameof(Assemblies))]
     public void Every_namespace_begins_with_NeuronMocap(string assembly)
     {

@@ -7,7 +7,7 @@ using NeuronMocap.Skeleton;
 
 namespace NeuronMocap.Tests.Architecture;
 
-// One convention for all options: sealed classes with setters, copied when they are used.
+// One convention for all options: sealed classes with setters, copied on use.
 public sealed class OptionsTests
 {
     public static TheoryData<Type> Options =>

@@ -3,8 +3,8 @@ using System.Reflection;
 namespace NeuronMocap.Tests.Architecture;
 
 /// <summary>
-/// The public surface of each library against the text file of its name in PublicApi: what a change does to users is seen in its diff.
-/// A line of the file that only one of the two builds has starts with that build's name in brackets.
+/// Compares the public surface of each library with the text file of its name in PublicApi, whose diff shows how a change affects users. A line that
+/// only one of the two builds has starts with that build's name in brackets.
 /// </summary>
 public sealed class PublicApiTests
 {
@@ -14,7 +14,8 @@ public sealed class PublicApiTests
     public void The_public_API_matches_its_file(string name) => PublicSurfaceFile.Check(Assembly.Load(name));
 
     /// <summary>
-    /// A type of the framework in a signature would differ between the builds, and a library compiled on one would not find the member in the other.
+    /// A framework type in a signature could differ between the builds. A library compiled against one build would then not find the member in the
+    /// other.
     /// </summary>
     [Theory, MemberData(nameof(Assemblies))]
     public void Both_builds_have_the_same_signatures_of_init_accessors(string name)

@@ -3,13 +3,13 @@ using System.Reflection.Metadata.Ecma335;
 
 namespace NeuronMocap.Tests.Architecture;
 
-/// <summary>The folder in which each type of an assembly is declared, from its portable symbols: by row of the type, relative to a root.</summary>
+/// <summary>The folder that declares each type of an assembly, from its portable symbols: by row of the type, relative to a root.</summary>
 internal static class SourceFolders
 {
     // Types without a method body, such as enums and interfaces, name their documents in a record of this kind (Portable PDB format).
     private static readonly Guid TypeDocuments = new("932E74BC-DBA9-4478-8D46-0F32A7BAB3D3");
 
-    /// <summary>A type of several files has the folder nearest to the root. Types outside the root are left out.</summary>
+    /// <summary>A type in several files has the folder nearest to the root. Types outside the root are omitted.</summary>
     public static IReadOnlyDictionary<uint, string> Read(string assembly, string root)
     {
         using FileStream file = File.OpenRead(Path.ChangeExtension(assembly, ".pdb"));

@@ -2,7 +2,7 @@
 
 namespace NeuronMocap.Tests.Architecture;
 
-// One member of each kind, for the test of the surface's text.
+// One member of each kind, for the test of the surface text.
 public abstract class SurfaceSample<T> : IDisposable
     where T : class, new()
 {

@@ -7,7 +7,7 @@ using static NeuronMocap.Tests.Commands.CommandCall;
 
 namespace NeuronMocap.Tests.Commands;
 
-// What is asked, and what is made of the answers.
+// Requests, and the results of their answers.
 public class CommandAnswerTests
 {
     private static readonly byte[] HeaderText = Encoding.ASCII.GetBytes(BvhHierarchyText.Create(SkeletonFormat.Default, default));

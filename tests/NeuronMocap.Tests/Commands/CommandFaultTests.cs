@@ -9,7 +9,7 @@ using static NeuronMocap.Tests.Commands.CommandCall;
 
 namespace NeuronMocap.Tests.Commands;
 
-// Whatever a server does, a call ends with its own answer or with an exception, and the next one works.
+// Whatever a server does, a call ends with its own answer or with an exception, and the next call works.
 public class CommandFaultTests
 {
     private static readonly TimeSpan Short = TimeSpan.FromMilliseconds(60);
@@ -28,7 +28,7 @@ public class CommandFaultTests
             },
             async request =>
             {
-                // The first answer comes now, when it could be taken for this one.
+                // The first answer comes now, when it could be mistaken for this one.
                 await TryAsync(() => unanswered!.ReplyAsync(XYZ));
                 await request.ReplyAsync(ZXY);
             });
@@ -49,7 +49,7 @@ public class CommandFaultTests
         using var server = new CommandScript(request => request.SendAsync(CommandScript.Packet(Bytes(Sizes(0)), request.Id)[..length]));
         using NeuronCommandClient client = server.CreateClient(static options => options.Timeout = Short);
 
-        // On a busy machine not even the beginning may come in time.
+        // On a busy machine, even the start may be late.
         string message = string.Empty;
         while (!message.Contains("not complete", StringComparison.Ordinal))
             message = (await FailsAsync(client.GetBoneDimensionsAsync(0), CommandFailure.TimedOut, "within 0.06 s")).Message;
@@ -144,7 +144,7 @@ public class CommandFaultTests
         byte[]? second = null;
         using var server = new CommandScript(async request =>
         {
-            // Late: when the next request is there, and before its answer.
+            // Late: after the next request arrives, and before its answer.
             byte[] packet = CommandScript.Packet(request.Id == 1003 ? ZXY : Bytes(Sizes(request.Avatar)), request.Id);
             await request.SendAsync([.. second ?? [], .. packet, .. isLate ? [] : packet]);
             second = isLate ? packet : null;
@@ -183,7 +183,7 @@ public class CommandFaultTests
         Assert.Equal(RotationOrder.ZXY, await lenient.GetRotationOrderAsync().Soon());
     }
 
-    // Where any number will do, the number is no help against an answer that comes twice.
+    // If any number is accepted, the number cannot detect a repeated answer.
     [Fact]
     public async Task A_duplicate_answer_is_never_used_when_any_number_is_accepted()
     {
@@ -295,11 +295,11 @@ public class CommandFaultTests
         }
         catch (Exception exception) when (exception is SocketException or ObjectDisposedException or OperationCanceledException)
         {
-            // The client has had enough.
+            // The client closed the connection.
         }
     }
 
-    // Until it is not too late: on a busy machine an answer may be.
+    // Repeats until the call succeeds in time. On a busy machine an answer may be late.
     private static async Task<T> RepeatAsync<T>(Func<CancellationToken, Task<T>> call)
     {
         while (true)
@@ -310,7 +310,7 @@ public class CommandFaultTests
             }
             catch (NeuronCommandException exception) when (exception.Reason == CommandFailure.TimedOut)
             {
-                // Once more.
+                // Tries once more.
             }
         }
     }
@@ -323,10 +323,10 @@ public class CommandFaultTests
         }
         catch (Exception exception) when (exception is SocketException or ObjectDisposedException)
         {
-            // The connection is gone, as it should be.
+            // The connection is closed, as expected.
         }
     }
 
-    // Over loopback what is sent has arrived, on Linux; elsewhere the system may take a moment.
+    // On Linux, data sent over loopback arrives at once. Elsewhere the system may take a moment.
     private static Task WaitForArrivalAsync() => OperatingSystem.IsLinux() ? Task.CompletedTask : Task.Delay(50);
 }

@@ -76,7 +76,7 @@ public class CommandPacketReaderTests
         return random.Next(3) == 0 ? bytes : CommandScript.Packet(bytes, random.Next(1001, 1006));
     }
 
-    // The plain way: byte for byte over the whole.
+    // A plain search of the whole, byte by byte.
     private static (List<(int Id, byte[] Payload)> Replies, long Skipped) Search(byte[] bytes, int maxPayload)
     {
         var replies = new List<(int, byte[])>();
@@ -102,7 +102,7 @@ public class CommandPacketReaderTests
             }
         }
 
-        // A rest that begins with the first byte of a token may become a header.
+        // A remainder that starts with the first byte of a token may become a header.
         int first = Array.IndexOf(bytes, (byte)0xFF, at);
         return (replies, skipped + (first < 0 ? bytes.Length : first) - at);
     }

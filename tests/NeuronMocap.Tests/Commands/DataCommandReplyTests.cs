@@ -6,7 +6,7 @@ namespace NeuronMocap.Tests.Commands;
 
 public sealed class DataCommandReplyTests
 {
-    // Every reply whose layout is known, between frames, with length fields as servers were seen to write them.
+    // Every reply of known layout, between frames, with length fields as servers were observed to write them.
     private static readonly byte[][] Replies =
     [
         DataReplies.BoneSizes(("Hips", 0.102f), ("右手", 0.18f), (new string('x', 60), -1)),

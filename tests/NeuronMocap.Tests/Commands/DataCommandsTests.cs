@@ -197,7 +197,7 @@ public sealed class DataCommandsTests : IDisposable
         if (!reconnect)
             return;
 
-        // Nothing of the old connection is left to wait for.
+        // No request of the old connection is pending.
         using TestConnection second = await _server.AcceptAsync();
         await Limits.UntilAsync(() => reader.Status.IsConnected);
         Task<IReadOnlyList<BoneSize>> sizes = reader.DataCommands.GetBoneSizesAsync(avatarIndex: 1);

@@ -5,7 +5,7 @@ using NeuronMocap.Skeleton;
 
 namespace NeuronMocap.Tests.Commands;
 
-// One question for each connection, whoever asks.
+// One request for each connection, however many callers ask.
 public sealed class ServerInquiryTests
 {
     private static readonly byte[] Header = Encoding.ASCII.GetBytes(BvhHierarchyText.Create(SkeletonFormat.Default, new ChannelLayout(hasDisplacement: true, hasReference: false)));

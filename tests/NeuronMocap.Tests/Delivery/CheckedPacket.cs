@@ -3,13 +3,13 @@ using NeuronMocap.Protocol;
 
 namespace NeuronMocap.Tests.Delivery;
 
-/// <summary>Packets that tell of themselves whether they are whole: number, length and every byte follow from each other.</summary>
+/// <summary>Packets that prove their own integrity: number, length and every byte follow from each other.</summary>
 internal static class CheckedPacket
 {
     private const int Smallest = 8;
     private const int Largest = 6_000;
 
-    /// <summary>Writes packet number n; its size differs from that of its neighbours by kilobytes.</summary>
+    /// <summary>Writes packet number n. Its size differs from that of its neighbours by kilobytes.</summary>
     public static ReceivedPacket Write(byte[] buffer, int number)
     {
         int size = SizeOf(number);
@@ -22,7 +22,7 @@ internal static class CheckedPacket
 
     public static byte[] CreateBuffer() => new byte[Largest];
 
-    /// <summary>Asserts that all of a packet is that of one number.</summary>
+    /// <summary>Asserts that all parts of a packet belong to one number.</summary>
     /// <returns>The number.</returns>
     public static int Check(in ReceivedPacket packet)
     {

@@ -8,7 +8,7 @@ using NeuronMocap.Tests.Reader;
 
 namespace NeuronMocap.Tests.Delivery;
 
-/// <summary>The two places where packets change threads, with other threads fighting for the processors.</summary>
+/// <summary>The two places where packets change threads, with other threads competing for the processors.</summary>
 [Collection(nameof(Alone))]
 public sealed class HandOverStressTests
 {
@@ -16,7 +16,7 @@ public sealed class HandOverStressTests
 
     private static readonly TimeSpan LeastTime = TimeSpan.FromSeconds(0.7);
 
-    // Packets that the consumer has taken.
+    // The number of packets that the consumer has taken.
     private int _taken;
 
     [Theory]
@@ -148,7 +148,7 @@ public sealed class HandOverStressTests
         }
     }
 
-    // A thread of its own that makes packets from number 1 on, for a while, and until enough of them were taken.
+    // A thread that creates packets from number 1 on, for a while, and until enough of them were taken.
     private Task Produce(Action<int, ReceivedPacket> publish) => Task.Factory.StartNew(
         () =>
         {
@@ -167,7 +167,7 @@ public sealed class HandOverStressTests
 
     private TimeSpan TimeToRun() => Volatile.Read(ref _taken) < LeastTaken ? Limits.Unexpected : LeastTime;
 
-    // Takes until the producer has ended and nothing is left; take returns whether there was something.
+    // Takes until the producer has ended and nothing is left. take returns whether there was a packet.
     private static Task Consume(Task producer, Func<bool> take) => Task.Factory.StartNew(
         () =>
         {

@@ -5,7 +5,7 @@ using NeuronMocap.Tests.Network;
 
 namespace NeuronMocap.Tests.Delivery;
 
-/// <summary>What taking frames allocates on the thread that takes them, to the byte.</summary>
+/// <summary>Exact allocations on the thread that takes frames.</summary>
 public sealed class PumpAllocationTests
 {
     private const int Rounds = 100;
@@ -87,7 +87,7 @@ public sealed class PumpAllocationTests
 
     private static void AssertBytes(long expected, Action action) => Assert.Equal(expected, Measure(action));
 
-    // The least of many calls: the first ones make what lasts, and compile.
+    // The minimum of many calls, because the first calls create lasting objects and compile.
     private static long Measure(Action action)
     {
         long least = long.MaxValue;

@@ -5,7 +5,7 @@ using NeuronMocap.Tests.Network;
 
 namespace NeuronMocap.Tests.Delivery;
 
-// Time is the test's own.
+// The test controls the time.
 public sealed class StreamCountersTests
 {
     private readonly StreamCounters _counters = new();
@@ -63,7 +63,7 @@ public sealed class StreamCountersTests
         Assert.Equal(0, lost);
     }
 
-    // The one before it still remembers whose turn came next.
+    // The avatar before it still remembers it as the next in turn.
     [Fact]
     public void An_evicted_avatar_that_returns_is_counted_anew()
     {
@@ -110,7 +110,7 @@ public sealed class StreamCountersTests
         Assert.Equal((70L, 1L, 0L, 0L), (avatar.Frames, avatar.Restarts, avatar.OutOfOrder, avatar.Lost));
     }
 
-    // Datagrams that waited keep the time of their arrival.
+    // Datagrams that waited keep their arrival time.
     [Fact]
     public void The_newest_frame_time_never_decreases()
     {

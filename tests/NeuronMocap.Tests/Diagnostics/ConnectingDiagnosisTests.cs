@@ -6,7 +6,7 @@ using NeuronMocap.Transport;
 
 namespace NeuronMocap.Tests.Diagnostics;
 
-// The links of the chain before the first byte.
+// The steps before the first byte.
 public sealed class ConnectingDiagnosisTests : IDisposable
 {
     private readonly RefusingPort _refusing = new();
@@ -133,7 +133,7 @@ public sealed class ConnectingDiagnosisTests : IDisposable
         Assert.Equal(StepOutcome.Warning, diagnosis.Step("other ports").Outcome);
     }
 
-    // Without an end, the wait for the port that says nothing would be as long.
+    // Without an end, the wait for the silent port would take as long.
     [Fact]
     public async Task A_found_stream_ends_the_search()
     {
@@ -188,7 +188,7 @@ public sealed class ConnectingDiagnosisTests : IDisposable
         Assert.Contains("TransportKind.Udp", diagnosis.SampleCode, StringComparison.Ordinal);
     }
 
-    // The bound is the promise; the slack is for a machine that does other things.
+    // The bound is the documented one. The slack is for a busy machine.
     [Theory]
     [InlineData(true, false)]
     [InlineData(false, true)]

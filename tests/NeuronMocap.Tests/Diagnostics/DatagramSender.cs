@@ -3,7 +3,7 @@ using System.Net.Sockets;
 
 namespace NeuronMocap.Tests.Diagnostics;
 
-// Sends datagrams to a port of this computer, as a server that is set to UDP does.
+// Sends datagrams to a port of this computer, like a server that is set to UDP.
 internal sealed class DatagramSender : IDisposable
 {
     private static int _last = Random.Shared.Next(10_000);
@@ -14,7 +14,7 @@ internal sealed class DatagramSender : IDisposable
 
     public EndPoint EndPoint => _socket.LocalEndPoint!;
 
-    // Below the ports that systems give out by themselves, so that no other test gets it in the meantime.
+    // Below the ports that systems assign automatically, so that no other test gets it in the meantime.
     public static int FreePort()
     {
         while (true)
@@ -28,12 +28,12 @@ internal sealed class DatagramSender : IDisposable
             }
             catch (SocketException)
             {
-                // Somebody has it; the next one.
+                // The port is in use. Tries the next one.
             }
         }
     }
 
-    // One group of datagrams after the other, by its number, until the task ends.
+    // Sends groups of datagrams by number, one after the other, until the task ends.
     public async Task<T> SendUntilAsync<T>(Task<T> task, int port, Func<int, IEnumerable<byte[]>> datagrams)
     {
         var target = new IPEndPoint(IPAddress.Loopback, port);

@@ -3,7 +3,7 @@ using NeuronMocap.Transport;
 
 namespace NeuronMocap.Tests.Diagnostics;
 
-// Diagnoses with a pace that suits tests: long where an answer ends the wait, short where nothing is going to come.
+// Diagnoses with timing for tests: long where an answer ends the wait, short where nothing will arrive.
 internal static class Diagnosing
 {
     public static readonly DiagnosisBudget Patient = new() { Silence = 0.5, Measuring = 0.003, Asking = 0.2, OtherPorts = 0.2 };
@@ -30,14 +30,14 @@ internal static class Diagnosing
         return diagnosis;
     }
 
-    // With a resolver of the test's own.
+    // With a resolver of the test.
     public static Task<StreamDiagnosis> RunAsync(LinkOptions link, DiagnosisOptions how) =>
         NeuronDiagnostics.RunAsync(new NeuronReaderOptions(), link, how, progress: null, TestContext.Current.CancellationToken).Soon();
 
     public static DiagnosisStep Step(this StreamDiagnosis diagnosis, string name) =>
         Assert.Single(diagnosis.Steps, step => step.Name.Equals(name, StringComparison.Ordinal));
 
-    // One fault, which names a setting, stops the chain at that step, and offers no code.
+    // Asserts that one fault, which names a setting, stops the chain at that step and offers no code.
     public static void AssertFault(this StreamDiagnosis diagnosis, DiagnosisVerdict verdict, string step, params string[] said)
     {
         Assert.Equal(verdict, diagnosis.Verdict);
@@ -53,7 +53,7 @@ internal static class Diagnosing
     }
 }
 
-// A server that does the same with every client, on a port of its own, until it is disposed of.
+// A server that treats every client the same way, on its own port, until it is disposed.
 internal sealed class ScriptedServer : IDisposable
 {
     private readonly Network.TestServer _server = new();
@@ -74,7 +74,7 @@ internal sealed class ScriptedServer : IDisposable
         await Task.Delay(Timeout.Infinite, stop);
     });
 
-    // A stream without a pause: packets one after the other, by their number.
+    // A stream without a pause: packets by number, one after the other.
     public static ScriptedServer Streaming(Func<int, byte[]> packet) => new(async (client, stop) =>
     {
         for (int i = 0; !stop.IsCancellationRequested; i++)

@@ -6,7 +6,7 @@ using NeuronMocap.Transport;
 
 namespace NeuronMocap.Tests.Diagnostics;
 
-// Frames with arrival times of the test's own, so that no clock has a say.
+// Frames with arrival times set by the test, so that no clock matters.
 public sealed class RateExaminationTests
 {
     [Theory]
@@ -51,7 +51,7 @@ public sealed class RateExaminationTests
         Assert.Contains(said, conclusion.Verdicts[0].Advice, StringComparison.Ordinal);
     }
 
-    // The account that the reader gives.
+    // The statistics that the reader provides.
     [Fact]
     public void Losses_in_a_looping_take_are_found()
     {
@@ -76,7 +76,7 @@ public sealed class RateExaminationTests
         byte[] packet = TestPackets.Motion(1);
         for (int i = 0; i < 50; i++)
         {
-            packet[46] = (byte)i; // the index goes on, the values do not
+            packet[46] = (byte)i; // the index advances, the values do not
             Deliver(sample, packet, i / 60.0);
         }
 

@@ -5,7 +5,7 @@ using NeuronMocap.Tests.Network;
 
 namespace NeuronMocap.Tests.Diagnostics;
 
-// What comes over a connection that stands.
+// Data over an open connection.
 public sealed class StreamDiagnosisTests
 {
     [Fact]
@@ -14,7 +14,7 @@ public sealed class StreamDiagnosisTests
         using ScriptedServer server = ScriptedServer.Streaming(static i => TestPackets.Join(TestPackets.Motion(i), TestPackets.Motion(i, avatar: 1, name: "Zoe")));
         StreamDiagnosis diagnosis = await Diagnosing.RunAsync(server.Port, Diagnosing.Patient with { Measuring = 0.01 });
 
-        // How fast it comes is this machine's business.
+        // The rate depends on this machine.
         Assert.True(diagnosis.IsReceiving);
         Assert.Equal(["name", "route", "port", "first bytes", "token", "version", "format", "rate"], diagnosis.Steps.Select(static step => step.Name));
         Assert.StartsWith("FF DD 00 00 01 01", diagnosis.Step("first bytes").Detail, StringComparison.Ordinal);

@@ -136,7 +136,7 @@ public sealed class UdpDiagnosisTests
         Assert.Contains($"in use by another program: {port}", diagnosis.Step("other ports").Detail, StringComparison.Ordinal);
     }
 
-    // Both are sent more than the system keeps for either, before they look.
+    // Both receive more than the system buffers, before they look.
     [Fact]
     public async Task A_diagnosis_uses_the_readers_receive_buffer()
     {

@@ -7,7 +7,7 @@ using NeuronMocap.Tests.Recording;
 
 namespace NeuronMocap.Tests.Files;
 
-// A file has one writer, whatever it is written as and by what name it is opened.
+// A file has one writer, whatever its format and the name by which it is opened.
 public sealed class OneWriterTests : IDisposable
 {
     private readonly RecordingFolder _folder = new();
@@ -71,7 +71,7 @@ public sealed class OneWriterTests : IDisposable
         AssertRefused(Take, () => WritableFile.Create(Take));
     }
 
-    // On systems without locks of open files.
+    // For systems without locks on open files.
     [Fact]
     public void An_open_file_is_detected_without_locks()
     {

@@ -14,7 +14,7 @@ public sealed class CalculationFrameTests
         Assert.Equal(946, CalculationFrame.FullValueCount);
     }
 
-    // First value of bones of Appendix C: 16 for each bone before it and, behind the body, two contact flags.
+    // The first value of bones of Appendix C: 16 for each bone before it and, after the body, two contact flags.
     [Theory]
     [InlineData(946, Bone.Hips, 0)]
     [InlineData(946, Bone.RightUpLeg, 16)]

@@ -4,8 +4,8 @@ using System.Reflection.Emit;
 namespace NeuronMocap.Tests.Frames;
 
 /// <summary>
-/// Every public member of a frame that reads it, found by reflection, as something that can be called. A call goes through code made here, because reflection
-/// itself passes no spans.
+/// Every public member of a frame that reads it, found by reflection, as a delegate. The delegates use generated code, because reflection cannot pass
+/// spans.
 /// </summary>
 internal static class FrameMembers
 {
@@ -32,7 +32,7 @@ internal static class FrameMembers
         return call.CreateDelegate<Action<AvatarFrame>>();
     }
 
-    // Room for all bones, else the default value: a body of null is not looked at before the frame is.
+    // Spans have room for all bones, and other arguments are default values. A null body is not examined before the frame is.
     private static void LoadArgument(ILGenerator il, Type type)
     {
         if (type.IsGenericType && type.GetGenericTypeDefinition() == typeof(Span<>))

@@ -5,7 +5,7 @@ using NeuronMocap.Tests.Skeleton;
 namespace NeuronMocap.Tests.Frames;
 
 /// <summary>
-/// The published figures of a frame that an Axis Studio sent (protocol.md section 3.2): the bones that the table gives, zero for the others.
+/// The published figures of a frame from an Axis Studio (protocol.md section 3.2): the bones in the table, and zero for the others.
 /// </summary>
 public sealed class GoldenFrameTests
 {

@@ -49,7 +49,7 @@ public sealed class IndexTrackerTests
         Assert.Equal(999_992u, _tracker.Newest);
     }
 
-    // A burst overtaken by one datagram: three that come late, in order, each into its gap. It once was taken for a restart.
+    // One datagram overtakes a burst: three arrive late, in order, each into its gap. This was once mistaken for a restart.
     [Fact]
     public void Late_frames_that_fill_a_gap_are_no_restart()
     {
@@ -94,7 +94,7 @@ public sealed class IndexTrackerTests
         Assert.Equal((sent.Length - received.Count, 2), (_tracker.Lost, _tracker.Step));
     }
 
-    // Each pair steps by 3, then back by 1. Whatever comes late was sent, so the even steps are no reduced frequency, and real losses stay.
+    // Each pair steps by 3, then back by 1. Late frames were sent, so the even steps are not a reduced frequency, and real losses stay.
     [Fact]
     public void Swapped_neighbours_are_no_reduced_frequency()
     {
@@ -119,7 +119,7 @@ public sealed class IndexTrackerTests
         Assert.Equal((0, 0, 0, 1), (_tracker.Lost, _tracker.Gaps, _tracker.Restarts, _tracker.Step));
     }
 
-    // Each n-th frame lost, two of three, bursts of up to five: none of it is even for long.
+    // Each n-th frame lost, two of three lost, bursts of up to five. None of these patterns stays even for long.
     [Theory]
     [InlineData(10, 1)]
     [InlineData(3, 1)]
@@ -141,7 +141,7 @@ public sealed class IndexTrackerTests
         Assert.Equal((0, 0, 2), (_tracker.Lost, _tracker.Gaps, _tracker.Step));
     }
 
-    // Against the plainest account there is: what was sent, and which of it arrived. Random steps, starts, losses, bursts, swaps, copies.
+    // Compared with the plainest model: what was sent, and which of it arrived. Random steps, starts, losses, bursts, swaps and copies.
     [Fact]
     public void Random_streams_match_a_simple_count()
     {
@@ -167,7 +167,7 @@ public sealed class IndexTrackerTests
         }
     }
 
-    // Random loss up to every other frame never looks like a reduced frequency.
+    // Random loss of up to every other frame never looks like a reduced frequency.
     [Theory]
     [InlineData(0.01)]
     [InlineData(0.2)]
@@ -203,7 +203,7 @@ public sealed class IndexTrackerTests
 
     private static uint[] Steps(uint first, int count, int step) => [.. Enumerable.Range(0, count).Select(i => first + (uint)(i * step))];
 
-    // The first 40 arrive, so that the step is known; then single losses and bursts. The last arrives.
+    // The first 40 frames arrive, so that the step is known. Then there are single losses and bursts. The last frame arrives.
     private static bool[] Arrivals(Random random, int count)
     {
         bool[] arrives = [.. Enumerable.Repeat(element: true, count)];
@@ -217,7 +217,7 @@ public sealed class IndexTrackerTests
         return arrives;
     }
 
-    // Neighbours change places here and there, none by more than one place.
+    // Some neighbours are swapped. No frame moves by more than one place.
     private static int[] Swapped(Random random, int[] order)
     {
         for (int i = 40; i + 1 < order.Length; i++)

@@ -8,7 +8,7 @@ using NeuronMocap.Tests.Playback;
 
 namespace NeuronMocap.Tests.Frames;
 
-/// <summary>A frame that was lent and is read later throws, whatever the member and whoever lent it; it never shows another frame's data.</summary>
+/// <summary>Reading a reused frame too late throws, for every member and every way of delivery. It never shows another frame's data.</summary>
 public sealed class LateReadTests
 {
     public static TheoryData<PacketKind> Kinds => [PacketKind.Motion, PacketKind.Calculation, PacketKind.StudioCalculation];

@@ -70,7 +70,7 @@ public sealed class MotionFrameTests
         Assert.Equal(Ascending(count), frame.Values.ToArray());
     }
 
-    // Flags that contradict the count: the count tells where the values are, the flags stay readable in the header.
+    // Flags that contradict the count: the count determines the layout, and the header still contains the flags.
     [Theory]
     [InlineData(180, true, true)]
     [InlineData(186, true, false)]
@@ -246,7 +246,7 @@ public sealed class MotionFrameTests
     [Theory]
     [InlineData(1, 1, HeaderLayout.New)]
     [InlineData(1, 0, HeaderLayout.Old)]
-    [InlineData(0, 0, HeaderLayout.Old)] // none: as text has it, and default(MotionHeader)
+    [InlineData(0, 0, HeaderLayout.Old)] // none: text frames, and default(MotionHeader)
     public void A_frame_can_be_created_without_a_stream(byte major, byte minor, HeaderLayout layout)
     {
         float[] values = Ascending(354);

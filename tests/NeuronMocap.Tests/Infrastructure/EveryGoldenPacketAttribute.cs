@@ -4,7 +4,7 @@ using Xunit.v3;
 
 namespace NeuronMocap.Tests.Infrastructure;
 
-/// <summary>Runs a theory once for the name of each of the <see cref="GoldenPackets"/>.</summary>
+/// <summary>Runs a theory once for each name of the <see cref="GoldenPackets"/>.</summary>
 [AttributeUsage(AttributeTargets.Method)]
 public sealed class EveryGoldenPacketAttribute : DataAttribute
 {

@@ -3,8 +3,8 @@ using NeuronMocap.Protocol;
 namespace NeuronMocap.Tests.Infrastructure;
 
 /// <summary>
-/// The same packet twice: written by hand after the tables of protocol.md section 2, and written by the library's encoder. Tests of the
-/// reading side use the first, so that encoder and decoder cannot merely agree with each other.
+/// The same packet twice: written by hand from the tables of protocol.md section 2, and written by the library's encoder. Tests of the reading side
+/// use the first, so that agreement between encoder and decoder is not enough.
 /// </summary>
 internal sealed record GoldenPacket(PacketKind Kind, byte[] ByHand, byte[] ByEncoder);
 
@@ -22,7 +22,7 @@ internal static class GoldenPackets
         _ => throw new ArgumentOutOfRangeException(nameof(name)),
     };
 
-    /// <summary>A motion packet of the New layout (section 2.1), by hand.</summary>
+    /// <summary>Creates a motion packet of the New layout (section 2.1) by hand.</summary>
     public static byte[] NewMotion(
         ReadOnlySpan<float> values,
         uint avatar = 0,
@@ -35,7 +35,7 @@ internal static class GoldenPackets
             .U32(avatar).Ascii(name, 32).U32(frame).U32(0).U32(0).U32(0).Hex("FF EE")
             .Floats(values).ToArray();
 
-    /// <summary>A motion packet of the Old layout (section 2.2), by hand.</summary>
+    /// <summary>Creates a motion packet of the Old layout (section 2.2) by hand.</summary>
     public static byte[] OldMotion(
         ReadOnlySpan<float> values,
         uint avatar = 0,
@@ -46,18 +46,18 @@ internal static class GoldenPackets
             .U32(avatar).Ascii(name, 32).U32(0).U32(0).Hex("FF EE")
             .Floats(values).ToArray();
 
-    /// <summary>A calculation packet (section 2.3), by hand.</summary>
+    /// <summary>Creates a calculation packet (section 2.3) by hand.</summary>
     public static byte[] CalculationData(ReadOnlySpan<float> values, uint avatar = 0, string name = "Char00", uint frame = 0) =>
         new WireBytes().Hex("FF 88 03 00 00 01").U32((uint)values.Length).U32(avatar).Ascii(name, 32).U32(frame)
             .U32(0).U32(0).U32(0).Hex("FF 99")
             .Floats(values).ToArray();
 
-    /// <summary>An old command packet (section 2.6), by hand.</summary>
+    /// <summary>Creates an old command packet (section 2.6) by hand.</summary>
     public static byte[] OldCommand(int command, uint count, int payload) =>
         new WireBytes().Hex("FF AA 02 00 00 01").U32((uint)(64 + payload)).U32(count).U32((uint)command).Zeros(40).U32(0).Hex("FF BB")
             .Zeros(payload).ToArray();
 
-    /// <summary>A header of 64 bytes that announces any number of values without carrying them.</summary>
+    /// <summary>Creates a header of 64 bytes that announces any number of values without carrying them.</summary>
     public static byte[] HeaderAnnouncing(PacketKind kind, uint count) => kind == PacketKind.Calculation
         ? new WireBytes().Hex("FF 88 03 00 00 01").U32(count).Zeros(52).Hex("FF 99").ToArray()
         : new WireBytes().Hex("FF DD 02 00 00 01").U32(count).Zeros(52).Hex("FF EE").ToArray();

@@ -3,9 +3,9 @@ using System.Diagnostics;
 namespace NeuronMocap.Tests.Infrastructure;
 
 /// <summary>
-/// Takes the processors away from other threads in the middle of whatever they do: threads that sleep and then run for a fraction of a
-/// millisecond, because a system prefers a thread that wakes to one that runs. Two for each processor, half of them above and half below the
-/// usual priority where the system honours that (Linux does not).
+/// Preempts other threads in the middle of their work. Its threads sleep and then run for a fraction of a millisecond, because a system prefers a
+/// waking thread to a running one. There are two threads for each processor. Half of them are above and half below the usual priority, if the system
+/// honours that (Linux does not).
 /// </summary>
 internal sealed class Preemption : IDisposable
 {
@@ -19,7 +19,7 @@ internal sealed class Preemption : IDisposable
             thread.Start();
     }
 
-    /// <summary>Now and then gives the processor away, or wastes a moment, so that threads meet at ever other places.</summary>
+    /// <summary>Sometimes yields the processor or wastes a moment, so that threads meet at different places.</summary>
     public static void Stumble(Random random)
     {
         switch (random.Next(1_000))

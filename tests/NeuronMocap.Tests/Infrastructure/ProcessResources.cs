@@ -3,8 +3,8 @@ using System.Diagnostics;
 namespace NeuronMocap.Tests.Infrastructure;
 
 /// <summary>
-/// Counts what a process must not lose. For tests that run alone: everything in the process is counted. On Linux sockets and the library's
-/// threads are counted exactly, elsewhere all handles, with some room for the runtime's own.
+/// Counts resources that a process must not leak. For tests that run alone, because it counts everything in the process. On Linux, it counts sockets
+/// and the library's threads exactly. Elsewhere it counts all handles, with an allowance for the runtime's own.
 /// </summary>
 internal static class ProcessResources
 {
@@ -14,13 +14,13 @@ internal static class ProcessResources
 
     public static int Sockets => OperatingSystem.IsLinux() ? CountSockets() : CountHandles();
 
-    /// <summary>Threads whose name begins as those of the library do; pool threads come and go and are not counted.</summary>
+    /// <summary>Threads with the name prefix of the library. Pool threads come and go and are not counted.</summary>
     public static int LibraryThreads => OperatingSystem.IsLinux() ? CountThreads("NeuronMocap") : 0;
 
-    /// <summary>Threads that wait for a TCP connection or its bytes; of a thread's name Linux keeps 15 characters.</summary>
+    /// <summary>Threads that wait for a TCP connection or its bytes. Linux keeps 15 characters of a thread's name.</summary>
     public static int TcpThreads => OperatingSystem.IsLinux() ? CountThreads("NeuronMocap TCP") : 0;
 
-    /// <summary>Bytes of the objects that are still in use. GC.GetTotalMemory is off by what was freed in old generations, at times below zero.</summary>
+    /// <summary>Bytes of live objects. GC.GetTotalMemory includes memory freed in old generations, and is sometimes below zero.</summary>
     public static long LiveHeap()
     {
         GC.Collect();
@@ -30,7 +30,7 @@ internal static class ProcessResources
         return info.HeapSizeBytes - info.FragmentedBytes;
     }
 
-    /// <summary>Waits until there are no more sockets and threads than before: some go a moment after those who used them.</summary>
+    /// <summary>Waits until there are no more sockets and threads than before. Some end a moment after their users.</summary>
     public static Task AssertNoMoreAsync(int sockets, int threads)
     {
         int room = OperatingSystem.IsLinux() ? 0 : RuntimesOwn;
@@ -49,7 +49,7 @@ internal static class ProcessResources
             }
             catch (IOException)
             {
-                // It was closed meanwhile, like the one that this enumeration uses.
+                // It was closed in the meantime, like the handle that this enumeration uses.
             }
         }
 
@@ -68,7 +68,7 @@ internal static class ProcessResources
             }
             catch (IOException)
             {
-                // It has ended meanwhile.
+                // It has ended in the meantime.
             }
         }
 

@@ -5,20 +5,20 @@ using Microsoft.FSharp.Core;
 
 namespace NeuronMocap.Tests.Infrastructure;
 
-/// <summary>Runs a property on many generated cases. A failure is shrunk, and its message holds the smallest case and the seed.</summary>
+/// <summary>Checks a property on many generated cases. A failure is shrunk, and its message contains the smallest case and the seed.</summary>
 internal static class Properties
 {
-    /// <summary>Runs other cases than the usual ones: any number.</summary>
+    /// <summary>Set it to any number to run other cases than the usual ones.</summary>
     private const string SeedVariable = "NEURONMOCAP_SEED";
 
     // The same cases in every run, so that a build cannot fail by chance.
     private const ulong UsualSeed = 20_240_229;
 
     /// <summary>Asserts that a property holds for all cases.</summary>
-    /// <param name="cases">Makes the cases.</param>
-    /// <param name="simpler">Cases to try in place of one that fails, the simplest first.</param>
-    /// <param name="count">How many.</param>
-    /// <param name="property">Throws when it does not hold.</param>
+    /// <param name="cases">Creates the cases.</param>
+    /// <param name="simpler">Returns simpler cases to try after a failure, the simplest first.</param>
+    /// <param name="count">The number of cases.</param>
+    /// <param name="property">Throws if the property does not hold.</param>
     public static void Hold<T>(Gen<T> cases, Func<T, IEnumerable<T>> simpler, int count, Action<T> property)
     {
         var start = new Rnd(Seed(), gamma: 1);
@@ -29,7 +29,7 @@ internal static class Properties
         Prop.ForAll(Arb.From(cases, simpler), property).Check(config);
     }
 
-    /// <summary>Lists that are shorter, or have one element replaced by a simpler one.</summary>
+    /// <summary>Returns lists that are shorter, or that have one element replaced by a simpler one.</summary>
     public static IEnumerable<T[]> SimplerLists<T>(T[] list, Func<T, IEnumerable<T>> simpler)
     {
         for (int size = list.Length; size > 0; size /= 2)
@@ -45,7 +45,7 @@ internal static class Properties
         }
     }
 
-    /// <summary>Numbers nearer to zero.</summary>
+    /// <summary>Returns numbers closer to zero.</summary>
     public static IEnumerable<int> SimplerNumbers(int number)
     {
         for (int step = number; step > 0; step /= 2)

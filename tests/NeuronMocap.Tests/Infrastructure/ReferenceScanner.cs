@@ -2,10 +2,10 @@ using NeuronMocap.Protocol;
 
 namespace NeuronMocap.Tests.Infrastructure;
 
-/// <summary>What <see cref="ReferenceScanner"/> found.</summary>
-/// <param name="packets">The packets, in order; of lines of text their images.</param>
+/// <summary>The result of <see cref="ReferenceScanner"/>.</summary>
+/// <param name="packets">The packets, in order. Lines of text are represented by their images.</param>
 /// <param name="trace">The same lines as those of a <see cref="StreamTrace"/>.</param>
-/// <param name="place">What the position is to the text format.</param>
+/// <param name="place">The meaning of the position to the text format.</param>
 internal sealed class ReferenceReading(List<FoundPacket> packets, List<string> trace, ReferencePlace place)
 {
     public List<FoundPacket> Packets => packets;
@@ -16,18 +16,18 @@ internal sealed class ReferenceReading(List<FoundPacket> packets, List<string> t
 
     public int At { get; set; }
 
-    /// <summary>Bytes of no packet and no line.</summary>
+    /// <summary>The number of bytes outside packets and lines.</summary>
     public long Skipped { get; set; }
 
-    /// <summary>Bytes of lines, and between them.</summary>
+    /// <summary>The number of bytes in lines and between them.</summary>
     public long Text { get; set; }
 
-    /// <summary>Bytes at the end that may still become a packet or a line.</summary>
+    /// <summary>The number of bytes at the end that may still become a packet or a line.</summary>
     public int Pending { get; set; }
 }
 
 /// <summary>
-/// The rules of the stream, told slowly and over the whole of the bytes at once: what <see cref="PacketScanner"/> is compared with.
+/// The rules of the stream, implemented slowly and on all bytes at once, for comparison with <see cref="PacketScanner"/>.
 /// </summary>
 internal static class ReferenceScanner
 {
@@ -43,7 +43,7 @@ internal static class ReferenceScanner
         return reading;
     }
 
-    // False when what begins at the position has not all come.
+    // Returns false if the packet or line at the position is incomplete.
     private static bool Take(ReferenceReading reading, byte[] bytes, int maxValues)
     {
         byte first = bytes[reading.At];
@@ -119,11 +119,11 @@ internal static class ReferenceScanner
         return true;
     }
 
-    /// <summary>Whether the bytes begin with a whole header that is not refused.</summary>
+    /// <summary>Returns whether the bytes start with a whole header that is not rejected.</summary>
     public static bool StartsWithHeader(byte[] bytes, int maxValues) =>
         bytes.Length >= 64 && PacketSizeAt(bytes, 0, maxValues).Size is not null;
 
-    // The size of the packet that starts or may start here; null where none can, with the reason.
+    // Returns the size of the packet that starts or may start here. If none can, returns null and the reason.
     private static (long? Size, SkipReason Reason) PacketSizeAt(byte[] bytes, int at, int maxValues)
     {
         int left = bytes.Length - at;

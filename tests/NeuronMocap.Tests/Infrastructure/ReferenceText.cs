@@ -5,7 +5,7 @@ using NeuronMocap.Protocol;
 
 namespace NeuronMocap.Tests.Infrastructure;
 
-/// <summary>What a position in a stream is to the text format: whether a line may begin there.</summary>
+/// <summary>The meaning of a position in a stream to the text format: whether a line may start there.</summary>
 internal enum ReferencePlace
 {
     Start,
@@ -14,7 +14,7 @@ internal enum ReferencePlace
     Noise,
 }
 
-/// <summary>What begins at a position where a line may begin.</summary>
+/// <summary>The kind of text at a position where a line may start.</summary>
 internal enum ReferenceLineKind
 {
     NoLine,
@@ -23,14 +23,14 @@ internal enum ReferenceLineKind
     Refused,
 }
 
-/// <param name="Kind">What it is.</param>
-/// <param name="Length">Bytes up to and with its end.</param>
+/// <param name="Kind">The kind.</param>
+/// <param name="Length">The number of bytes, including the end.</param>
 /// <param name="Packet">The frame.</param>
-/// <param name="Reason">Why it is none.</param>
-/// <param name="Place">What the position behind it is.</param>
+/// <param name="Reason">Why it is not a frame.</param>
+/// <param name="Place">The meaning of the position after it.</param>
 internal sealed record ReferenceLine(ReferenceLineKind Kind, int Length = 0, FoundPacket? Packet = null, SkipReason Reason = default, ReferencePlace Place = ReferencePlace.Start);
 
-/// <summary>The rules of the text format (protocol.md section 8), told slowly.</summary>
+/// <summary>The rules of the text format (protocol.md section 8), implemented slowly.</summary>
 internal static class ReferenceText
 {
     private const int LongestLine = 32_768;
@@ -41,7 +41,7 @@ internal static class ReferenceText
 
     public static bool IsBlank(byte value) => value is 0 or 32 or 9 or 13 or 10;
 
-    /// <summary>Reads what begins at a position that is not blank.</summary>
+    /// <summary>Reads the text at a position that is not blank.</summary>
     public static ReferenceLine ReadAt(ReadOnlySpan<byte> bytes, int maxValues, bool isUnsure)
     {
         if (!"0123456789+-.,nNiI".Contains((char)bytes[0], StringComparison.Ordinal))
@@ -71,7 +71,7 @@ internal static class ReferenceText
             : new ReferenceLine(ReferenceLineKind.Refused, LongestLine - 1, Reason: SkipReason.MalformedLine, Place: ReferencePlace.Noise);
     }
 
-    /// <summary>Whether the bytes begin with a number, a name of words that are none, and a number.</summary>
+    /// <summary>Returns whether the bytes start with a number, a name of words that are not numbers, and a number.</summary>
     public static bool BeginsTelling(ReadOnlySpan<byte> bytes)
     {
         if (bytes.Length == 0 || " \t\r\n|".Contains((char)bytes[0], StringComparison.Ordinal))
@@ -80,7 +80,7 @@ internal static class ReferenceText
         return IsTelling(Words(Encoding.Latin1.GetString(bytes)));
     }
 
-    /// <summary>Whether a line that has no end yet has come further than its first word.</summary>
+    /// <summary>Returns whether an unfinished line continues after its first word.</summary>
     public static bool IsInsideLine(byte[] unfinished) =>
         Encoding.Latin1.GetString(unfinished).Replace("\0", string.Empty, StringComparison.Ordinal).AsSpan().IndexOfAny(" \t\r|") > 0;
 

@@ -1,9 +1,11 @@
 namespace NeuronMocap.Tests.Infrastructure;
 
-/// <summary>A pool none of whose threads is free, and that gets no more: nothing that waits for one gets on. For tests that run alone.</summary>
+/// <summary>
+/// Blocks all threads of the pool and keeps it from getting more, so that work that needs a pool thread stops. For tests that run alone.
+/// </summary>
 internal static class StarvedPool
 {
-    /// <summary>Runs the action while the pool is starved, on a thread of its own.</summary>
+    /// <summary>Runs the action on its own thread while the pool is starved.</summary>
     public static Task RunAsync(Action action) => Task.Factory.StartNew(() => Run(action), TaskCreationOptions.LongRunning);
 
     private static void Run(Action action)
@@ -16,7 +18,7 @@ internal static class StarvedPool
         Assert.True(ThreadPool.SetMaxThreads(Environment.ProcessorCount, completers));
         try
         {
-            // What was queued before still runs; then these take thread after thread, and those that come back from something else.
+            // Work that was queued before still runs. Then these take thread after thread, including threads that return from other work.
             do
                 Block();
             while (HasFreeThread());

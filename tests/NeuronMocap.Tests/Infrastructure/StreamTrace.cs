@@ -4,8 +4,8 @@ using NeuronMocap.Protocol;
 namespace NeuronMocap.Tests.Infrastructure;
 
 /// <summary>
-/// What came out of a stream, line by line: each packet and each refused header with its place, and where the unfinished rest begins. The
-/// places say what was skipped. How skipped bytes are reported in portions is left out: that may depend on the pieces.
+/// The result of a stream, line by line: each packet and each rejected header with its place, and the start of the unfinished rest. The places show
+/// what was skipped. The portions in which skipped bytes are reported are omitted, because they may depend on the pieces.
 /// </summary>
 internal sealed class StreamTrace(byte[] stream) : IPacketReceiver
 {
@@ -14,7 +14,7 @@ internal sealed class StreamTrace(byte[] stream) : IPacketReceiver
 
     public List<string> Lines { get; } = [];
 
-    /// <summary>Pushes pieces through an assembler, each in memory that is not the next one's and is overwritten afterwards.</summary>
+    /// <summary>Pushes pieces through an assembler. Each piece has its own memory, which is overwritten afterwards.</summary>
     public static List<string> OfAssembler(byte[] stream, IEnumerable<ArraySegment<byte>> pieces, PacketScanner scanner)
     {
         const int margin = 5;
@@ -71,7 +71,7 @@ internal sealed class StreamTrace(byte[] stream) : IPacketReceiver
         _position += length;
     }
 
-    /// <summary>A frame that came as text.</summary>
+    /// <summary>Returns the line for a frame received as text.</summary>
     public static string Line(PacketKind kind, int at, ReadOnlySpan<byte> image) =>
         $"{kind} as text at {at}: {Convert.ToHexString(SHA256.HashData(image.ToArray()))}";
 

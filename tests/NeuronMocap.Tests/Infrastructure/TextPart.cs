@@ -3,15 +3,15 @@ using System.Text;
 
 namespace NeuronMocap.Tests.Infrastructure;
 
-/// <summary>How the numbers of a line are written.</summary>
+/// <summary>Specifies how the numbers of a line are written.</summary>
 internal enum TextNumbers
 {
     TwoDecimals,
 
-    /// <summary>All ways that are allowed, in turn.</summary>
+    /// <summary>All allowed ways, in turn.</summary>
     EveryWay,
 
-    /// <summary>One word in the middle is no number.</summary>
+    /// <summary>One word in the middle is not a number.</summary>
     OneWrong,
 
     /// <summary>Zero bytes within and between the words.</summary>

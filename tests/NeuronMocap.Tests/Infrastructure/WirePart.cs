@@ -1,6 +1,6 @@
 namespace NeuronMocap.Tests.Infrastructure;
 
-/// <summary>The headers that exist, and those of commands by what gives their length.</summary>
+/// <summary>The kinds of headers. Those of commands differ in what determines their length.</summary>
 internal enum WireShape
 {
     NewMotion,
@@ -12,25 +12,25 @@ internal enum WireShape
     StudioCalculation,
 }
 
-/// <summary>What payloads and noise are made of.</summary>
+/// <summary>Specifies the content of payloads and noise.</summary>
 internal enum Filling
 {
     Zeros,
     Numbers,
 
-    /// <summary>First and second tokens of every kind, so that some stand 62 bytes apart.</summary>
+    /// <summary>First and second tokens of every kind, some of them 62 bytes apart.</summary>
     Tokens,
 
     /// <summary>Whole small packets, one after the other.</summary>
     Packets,
 }
 
-/// <summary>A part of a generated stream. Printed, it says how to make the same bytes again.</summary>
+/// <summary>A part of a generated stream. Its text shows how to create the same bytes again.</summary>
 internal abstract record WirePart
 {
     public abstract byte[] ToBytes();
 
-    /// <summary>Parts that are nearer to nothing, for shrinking.</summary>
+    /// <summary>Returns simpler parts, for shrinking.</summary>
     public virtual IEnumerable<WirePart> Simpler() => [];
 
     protected static byte[] Header(WireShape shape, uint count, uint avatar = 0, string version = "00 00 01 01") => shape switch
@@ -70,7 +70,7 @@ internal abstract record WirePart
     };
 }
 
-/// <summary>A packet with as much payload as its header announces.</summary>
+/// <summary>A packet with the payload that its header announces.</summary>
 internal sealed record Packet(WireShape Shape, int Count, Filling Filling, uint Avatar) : WirePart
 {
     public override byte[] ToBytes() => [.. Header(Shape, (uint)Count, Avatar), .. Fill(Filling, PayloadSize)];
@@ -82,7 +82,7 @@ internal sealed record Packet(WireShape Shape, int Count, Filling Filling, uint 
         .. Avatar == 0 ? (IEnumerable<WirePart>)[] : [this with { Avatar = 0 }],
     ];
 
-    // Not a property: it would be printed with each case.
+    // Not a property, because it would be printed with each case.
     public bool IsAllowed() => Count <= WireStream.MaxValues
         || Shape is WireShape.CommandWithoutPayload or WireShape.CommandWithBoneSizes or WireShape.CommandWithText;
 
@@ -95,7 +95,7 @@ internal sealed record Packet(WireShape Shape, int Count, Filling Filling, uint 
     };
 }
 
-/// <summary>A header that announces one thing, and payload that is another.</summary>
+/// <summary>A header whose payload differs from what it announces.</summary>
 internal sealed record Promise(WireShape Shape, uint Count, int Payload, Filling Filling) : WirePart
 {
     public override byte[] ToBytes() => [.. Header(Shape, Count), .. Fill(Filling, Payload)];
@@ -116,7 +116,7 @@ internal sealed record OfVersion(byte Major, byte Minor, byte Revision, byte Bui
     public override IEnumerable<WirePart> Simpler() => Properties.SimplerNumbers(Count).Select(count => this with { Count = count });
 }
 
-/// <summary>The first token of one kind and the second of the same or another, at any distance; 62 is that of a header.</summary>
+/// <summary>The first token of one kind and the second token of the same or another kind, at any distance. In a header, the distance is 62.</summary>
 internal sealed record TokenPair(PacketKind First, PacketKind Second, int Distance, int Behind) : WirePart
 {
     public override byte[] ToBytes()
@@ -144,7 +144,7 @@ internal sealed record TokenPair(PacketKind First, PacketKind Second, int Distan
     public override IEnumerable<WirePart> Simpler() => Properties.SimplerNumbers(Behind).Select(behind => this with { Behind = behind });
 }
 
-/// <summary>A stretch of another part: a packet whose start was missed, or whose end never came.</summary>
+/// <summary>A section of another part: a packet whose start was missed, or whose end never came.</summary>
 internal sealed record Stretch(WirePart Of, int Skipped, int Length) : WirePart
 {
     public override byte[] ToBytes()
@@ -162,7 +162,7 @@ internal sealed record Stretch(WirePart Of, int Skipped, int Length) : WirePart
     ];
 }
 
-/// <summary>A part of which one byte is another.</summary>
+/// <summary>A part with one changed byte.</summary>
 internal sealed record Damaged(WirePart Of, int At, byte Byte) : WirePart
 {
     public override byte[] ToBytes()
@@ -177,7 +177,7 @@ internal sealed record Damaged(WirePart Of, int At, byte Byte) : WirePart
     public override IEnumerable<WirePart> Simpler() => [Of, .. Of.Simpler().Select(simpler => this with { Of = simpler })];
 }
 
-/// <summary>Bytes that are no packet, or look like several.</summary>
+/// <summary>Bytes that are not a packet, or look like several.</summary>
 internal sealed record Noise(Filling Filling, int Length) : WirePart
 {
     public override byte[] ToBytes() => Fill(Filling, Length);

@@ -3,13 +3,13 @@ using FsCheck.Fluent;
 
 namespace NeuronMocap.Tests.Infrastructure;
 
-/// <summary>A generated stream, and the sizes of the pieces in which it arrives: over and over until the end. A size may be zero.</summary>
+/// <summary>A generated stream, and the sizes of the pieces in which it arrives, repeated until the end. A size may be zero.</summary>
 internal sealed record WireStream(WirePart[] Parts, int[] PieceSizes)
 {
-    /// <summary>What the scanner under test is told to be its limit, so that the edges are cheap.</summary>
+    /// <summary>The limit set for the scanner under test. It is low, so that tests of the limit are cheap.</summary>
     public const int MaxValues = 190;
 
-    // Announced counts at every edge: none, around the limit, where times four wraps around 32 bits, where a signed reading is negative.
+    // Announced counts at every limit: zero, around the limit, where times four wraps around 32 bits, where a signed reading is negative.
     private static readonly uint[] CountEdges =
     [
         0, 1, MaxValues - 1, MaxValues, MaxValues + 1, 0xFFFF, 0x1_0000, 0x0400_0001, 0x3FFF_FFFF, 0x4000_0000, 0x4000_0001,
@@ -40,7 +40,7 @@ internal sealed record WireStream(WirePart[] Parts, int[] PieceSizes)
         (3, Gen.Choose(1, 80)),
         (1, Gen.Choose(80, 2_000)));
 
-    /// <summary>Packets of every kind, with as much payload as they announce.</summary>
+    /// <summary>Packets of every kind, with the payload that they announce.</summary>
     public static Gen<WirePart> WholePackets { get; } =
         from shape in AnyShape
         from count in AnyCount
@@ -48,7 +48,7 @@ internal sealed record WireStream(WirePart[] Parts, int[] PieceSizes)
         from avatar in Gen.Choose(0, 3)
         select (WirePart)new Packet(shape, count, filling, (uint)avatar);
 
-    /// <summary>Lines of text: frames, and what is nearly one.</summary>
+    /// <summary>Lines of text: frames, and near misses.</summary>
     public static Gen<WirePart> Lines { get; } =
         from count in Gen.Frequency((6, Gen.Elements(180, 186)), (1, Gen.Elements(338, 354, 178, 181)), (2, Gen.Choose(0, 5)))
         from lead in Gen.Elements("0 Char00 ", "7\t演员一 ", "0 演员一的一个很长很长的名字 ", "1 12.5 ", "2 7up ", "", "4294967296 A ", "-1 A ", "A 0 ", " 0  B  ", "0\0 C ", "0 Anna 演员 ", "1 A\0 |B\tC ", "0 Char 02 ", "3 7 up ")
@@ -57,7 +57,7 @@ internal sealed record WireStream(WirePart[] Parts, int[] PieceSizes)
         from end in Gen.Elements(" ||\r\n", "||\r\n", "\n", "\r\n", "||", " ||\0\0", "|\r\n", " ", "\r", "||\0\r\n\0")
         select (WirePart)new TextPart(count, lead, numbers, separator, end);
 
-    /// <summary>Everything that can stand in a stream.</summary>
+    /// <summary>Everything that a stream can contain.</summary>
     public static Gen<WirePart> AnyPart { get; } = Gen.Frequency(
         (10, WholePackets),
         (6, Lines),
@@ -106,7 +106,7 @@ internal sealed record WireStream(WirePart[] Parts, int[] PieceSizes)
         from sizes in AnyPieceSize.ArrayOf(pieces)
         select new WireStream(parts, sizes);
 
-    /// <summary>Streams of nothing but whole packets within the limit.</summary>
+    /// <summary>Streams that consist of whole packets within the limit.</summary>
     public static Gen<WireStream> OfWholePackets { get; } =
         from parts in WholePackets.Where(part => part is Packet packet && packet.IsAllowed()).ArrayOf()
         from pieces in Gen.Choose(1, 6)
@@ -121,7 +121,7 @@ internal sealed record WireStream(WirePart[] Parts, int[] PieceSizes)
         .. Properties.SimplerLists(PieceSizes, Properties.SimplerNumbers).Select(sizes => this with { PieceSizes = sizes }),
     ];
 
-    /// <summary>Cuts bytes into this stream's pieces.</summary>
+    /// <summary>Divides bytes into this stream's pieces.</summary>
     public IEnumerable<ArraySegment<byte>> Cut(byte[] bytes)
     {
         int start = 0;

@@ -1,17 +1,17 @@
 namespace NeuronMocap.Tests.Motion;
 
 /// <summary>
-/// When 861 frames of a real stream arrived: intervals in whole milliseconds with the mean, deviation and percentiles of shared/data/README.md.
-/// The sender's clock is even; so the order of the intervals is one in which a long one follows when the frames came too early.
+/// Arrival times of 861 frames of a real stream: intervals in whole milliseconds with the mean, deviation and percentiles of shared/data/README.md.
+/// The sender's clock is even, so a long interval follows when frames came too early.
 /// </summary>
 internal static class ArrivalPattern
 {
     public const int FrameCount = 861;
 
-    /// <summary>Seconds from frame to frame on the sender's clock.</summary>
+    /// <summary>Time between frames on the sender's clock, in seconds.</summary>
     public const double Interval = 8.970 / (FrameCount - 1);
 
-    // Of 7 to 14 ms; besides them two gaps, 22 and 21 ms, each with a frame right behind.
+    // Counts of intervals from 7 to 14 ms. There are also two gaps of 22 and 21 ms, each followed immediately by a frame.
     private static readonly int[] Counts = [8, 20, 181, 273, 194, 130, 42, 8];
 
     public static double[] Create(int seed = 1)
@@ -38,7 +38,7 @@ internal static class ArrivalPattern
         return arrivals;
     }
 
-    // The interval that is left nearest to what is due, with noise.
+    // Draws the remaining interval closest to the one that is due, with noise.
     private static int Draw(int[] left, double due, Random random)
     {
         double wanted = due + ((random.NextDouble() + random.NextDouble() + random.NextDouble() - 1.5) * 2.7);

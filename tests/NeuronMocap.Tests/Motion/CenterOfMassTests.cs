@@ -9,7 +9,7 @@ public sealed class CenterOfMassTests
     [Fact]
     public void The_segments_weigh_as_much_as_the_body() => Assert.Equal(1, CenterOfMass.WholeMass, 1e-6f);
 
-    // Standing with the arms down it is at 55 to 57 % of the stature in the literature; the arms out raise it.
+    // In the literature, it is at 55 to 57 % of the stature for standing with arms down. Raised arms raise it.
     [Theory]
     [InlineData(SkeletonVariant.Neck1)]
     [InlineData(SkeletonVariant.Spine3)]
@@ -47,7 +47,7 @@ public sealed class CenterOfMassTests
         pose[(int)Bone.LeftUpLeg] = pose[(int)Bone.LeftUpLeg] with { Position = pose[(int)Bone.LeftUpLeg].Position + new Vector3(0, 10, 0) };
         float expected = 10 * (0.1416f + 0.0433f + 0.0137f);
 
-        // Half of the hip's way, seen from the lower end of the trunk, belongs to the trunk.
+        // Seen from the lower end of the trunk, half of the hip's movement belongs to the trunk.
         Vector3 moved = Compute(pose, SkeletonVariant.Neck1) - before;
         Assert.InRange(moved.Y, expected, expected + 1.5f);
     }
@@ -55,7 +55,7 @@ public sealed class CenterOfMassTests
     [Fact]
     public void An_actor_keeps_it_between_standing_feet()
     {
-        // Stops within a programme of forty seconds: both feet planted for a second or more.
+        // The stops in a programme of forty seconds: both feet planted for a second or more.
         var actor = new SyntheticSource(60);
         BoneTransform[] pose = new BoneTransform[59];
         int planted = 0;

@@ -5,12 +5,12 @@ using NeuronMocap.Skeleton;
 
 namespace NeuronMocap.Tests.Motion;
 
-// The synthetic actor, sent evenly, received as the real stream was, and shown on a display: how evenly the bones move there.
+// Measures how evenly bones move on a display. The synthetic actor is sent evenly and received with the timing of a real stream.
 public sealed class PoseBufferRetimingTests
 {
     private const double SettledSeconds = 0.5;
 
-    // So dense that a straight line between two is the truth.
+    // So dense that linear interpolation is exact enough.
     private const int TruthRate = 1000;
 
     private static readonly double[] Arrivals = ArrivalPattern.Create();
@@ -50,7 +50,7 @@ public sealed class PoseBufferRetimingTests
 
     private static BoneTransform[][] MakeFrames()
     {
-        // Walking, at the rate that frames were sent.
+        // Walking, at the rate at which frames were sent.
         var actor = new SyntheticSource(1 / ArrivalPattern.Interval);
         var frames = new BoneTransform[ArrivalPattern.FrameCount][];
         for (int i = 0; i < frames.Length; i++)
@@ -62,7 +62,7 @@ public sealed class PoseBufferRetimingTests
         return frames;
     }
 
-    // The hand, which the hips and the whole arm move, at every moment of the display.
+    // The position of the hand, which the hips and the whole arm move, at every moment of the display.
     private static Vector3 Shown(BoneTransform[] local)
     {
         BoneTransform[] world = new BoneTransform[BoneHierarchy.BoneCount];
@@ -95,7 +95,7 @@ public sealed class PoseBufferRetimingTests
         return [.. shown];
     }
 
-    // Root mean square of the difference between the shown velocity and the true one, at the lag that fits best.
+    // The root mean square of the difference between shown and true velocity, at the lag that fits best.
     private static double VelocityNoise(Vector3[] shown, double displayRate) =>
         VelocityNoise(shown, displayRate, FindLag(shown, displayRate));
 

@@ -4,7 +4,7 @@ using NeuronMocap.Skeleton;
 
 namespace NeuronMocap.Tests.Motion;
 
-// The hips go along X at 100 cm/s of the sender's clock, so that a place is a time: 1 cm is 10 ms.
+// The hips move along X at 100 cm/s of the sender's clock, so positions show times: 1 cm is 10 ms.
 public sealed class PoseBufferTests
 {
     private const double Interval = 0.010;
@@ -80,7 +80,7 @@ public sealed class PoseBufferTests
     [InlineData(false)]
     public void An_initial_burst_is_not_extrapolated(bool hasIndex)
     {
-        // Three within a millisecond, as a server sends what it has to a new client; the fourth a frame later.
+        // Three within a millisecond, as a server sends its buffered frames to a new client. The fourth comes a frame later.
         PoseBuffer buffer = Create(delay: 0);
         double[] arrivals = [0, 0.0005, 0.001, 0.010, 0.020, 0.030, 0.040, 0.050, 0.060, 0.070];
         int next = 0;
@@ -132,7 +132,7 @@ public sealed class PoseBufferTests
             if (arrival < 2)
                 continue;
 
-            // Frames are late by 4 ms in the mean; how much of that the clock takes for the sender's may vary a little.
+            // Frames are late by 4 ms on average. How much of that the clock attributes to the sender may vary a little.
             Assert.Equal(PoseOrigin.Interpolated, origin);
             double lag = arrival - (Place / Speed);
             lowest = Math.Min(lowest, lag);
@@ -141,12 +141,12 @@ public sealed class PoseBufferTests
 
         Assert.True(highest - lowest < 0.004, $"The lag was {lowest} to {highest} s.");
 
-        // What is lost makes it longer: it is a mean of the last few.
+        // Lost frames make it longer, because it is a mean of the last few.
         Assert.InRange(buffer.FrameInterval, Interval * 0.95, Interval * 1.5);
     }
 
     [Theory]
-    [InlineData(0u, true)] // the server starts again
+    [InlineData(0u, true)] // the server restarts
     [InlineData(4_000_000_000u, true)]
     [InlineData(0u, false)]
     public void A_paused_sender_is_followed_again(uint firstIndex, bool hasIndex)
@@ -249,7 +249,7 @@ public sealed class PoseBufferTests
     [Fact]
     public void Clock_drift_is_followed()
     {
-        // The sender's is slower by one in a thousand; over ten minutes it falls back by 0.6 s.
+        // The sender's clock is slower by one in a thousand. Over ten minutes it falls behind by 0.6 s.
         PoseBuffer buffer = Create(delay: 30);
         for (int i = 0; i < 60_000; i++)
         {

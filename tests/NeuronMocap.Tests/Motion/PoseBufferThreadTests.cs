@@ -9,7 +9,7 @@ public sealed class PoseBufferThreadTests
     [Fact]
     public async Task Two_threads_never_see_half_a_frame()
     {
-        // Every bone of a frame is at the frame's number: a torn or mixed pose has bones at different places.
+        // Every bone of a frame is at the frame's number. A torn or mixed pose has bones at different positions.
         const int Frames = 200_000;
         var buffer = new PoseBuffer(new PoseBufferOptions { Capacity = 16, Delay = TimeSpan.FromMilliseconds(20) });
         double time = 0;

@@ -48,7 +48,7 @@ public sealed class PoseVelocityTests
         PoseVelocity.ComputeBackward(At(0), At(1), 0, velocities);
         Assert.Equal(default, velocities[0]);
 
-        // The first of a take has itself before it: what is left is the difference to the next.
+        // The first frame of a take is its own predecessor, so only the difference to the next frame remains.
         PoseVelocity.ComputeCentral(At(0), At(0), At(0.01), 0, 0.01, velocities);
         AssertNear(VelocityAt(0.005), velocities[0].Linear, 0.1f);
         PoseVelocity.ComputeCentral(At(0), At(0), At(0), 0, 0, velocities);
@@ -66,7 +66,7 @@ public sealed class PoseVelocityTests
         Assert.Throws<ArgumentException>(() => PoseVelocity.ComputeCentral(pose, pose, [], 1, 1, velocities));
     }
 
-    // Thrown, and turning ever faster.
+    // A body that is thrown and turns faster and faster.
     private static BoneTransform[] At(double time) =>
     [
         new BoneTransform(

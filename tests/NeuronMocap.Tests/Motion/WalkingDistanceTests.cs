@@ -55,7 +55,7 @@ public sealed class WalkingDistanceTests
     [Fact]
     public void The_actors_lap_is_measured()
     {
-        // The lap is 42 steps of the ring of fourteen, with stops.
+        // The lap is 42 steps around the ring of fourteen, with stops.
         const int Rate = 60;
         const int Lap = 40 * Rate;
         var actor = new SyntheticSource(Rate);
@@ -72,7 +72,7 @@ public sealed class WalkingDistanceTests
             walk.Update(pose[0].Position, frame / (double)Rate);
         }
 
-        // The path itself is longer by the sway of the hips.
+        // The path itself is longer because the hips sway.
         TestContext.Current.TestOutputHelper?.WriteLine($"{walk.Distance} cm of {path}");
         Assert.InRange(walk.Distance, 0.85 * path, path);
     }

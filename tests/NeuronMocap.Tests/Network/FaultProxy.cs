@@ -3,8 +3,8 @@ using System.Net.Sockets;
 
 namespace NeuronMocap.Tests.Network;
 
-// Stands between a server and its clients, and does to the bytes on their way what bad networks do. A script says what, for each connection;
-// when it ends, so does the connection.
+// A proxy between a server and its clients that disturbs the data like a bad network. A script for each connection determines how. When the script
+// ends, the connection ends too.
 internal sealed class FaultProxy : IAsyncDisposable
 {
     private readonly TcpListener _listener = new(IPAddress.Loopback, 0);
@@ -24,7 +24,7 @@ internal sealed class FaultProxy : IAsyncDisposable
 
     public int Port => ((IPEndPoint)_listener.LocalEndpoint).Port;
 
-    // Fails when a script did.
+    // Fails if a script failed.
     public async ValueTask DisposeAsync()
     {
         await _stop.CancelAsync();
@@ -43,7 +43,7 @@ internal sealed class FaultProxy : IAsyncDisposable
         }
         catch (Exception exception) when (exception is OperationCanceledException or SocketException or InvalidOperationException)
         {
-            // Disposed of.
+            // The proxy was disposed.
         }
     }
 
@@ -63,16 +63,16 @@ internal sealed class FaultProxy : IAsyncDisposable
     }
 }
 
-// What a script can do with one connection.
+// The actions of a script on one connection.
 internal sealed class ProxiedConnection(Socket client, Socket server, int number, CancellationToken cancellationToken) : IDisposable
 {
     private readonly TestConnection _client = new(client);
     private readonly byte[] _buffer = new byte[64 * 1024];
 
-    // 0 for the first one that the proxy accepted.
+    // 0 for the first connection that the proxy accepted.
     public int Number => number;
 
-    // Passes on the next bytes of the server, in pieces of one size.
+    // Forwards the next bytes of the server, in pieces of one size.
     public async Task ForwardAsync(long count, int pieceSize = int.MaxValue)
     {
         while (count > 0)
@@ -84,7 +84,7 @@ internal sealed class ProxiedConnection(Socket client, Socket server, int number
         }
     }
 
-    // Passes on all that the server sends from now on.
+    // Forwards everything that the server sends from now on.
     public async Task ForwardRestAsync()
     {
         int count;
@@ -92,7 +92,7 @@ internal sealed class ProxiedConnection(Socket client, Socket server, int number
             await _client.SendAsync(_buffer.AsMemory(0, count));
     }
 
-    // Takes the next bytes of the server out of the stream.
+    // Removes the next bytes of the server from the stream.
     public async Task DropAsync(int count)
     {
         for (int size; count > 0; count -= size)
@@ -109,7 +109,7 @@ internal sealed class ProxiedConnection(Socket client, Socket server, int number
 
     public void Reset() => _client.Reset();
 
-    // Keeps the connection open, without a byte, until the test is over.
+    // Keeps the connection open without sending, until the test is over.
     public Task HoldAsync() => Task.Delay(Timeout.Infinite, cancellationToken);
 
     public void Dispose() => _client.Dispose();

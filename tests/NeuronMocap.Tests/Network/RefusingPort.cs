@@ -3,7 +3,7 @@ using System.Net.Sockets;
 
 namespace NeuronMocap.Tests.Network;
 
-/// <summary>A port of this test's own on which nothing listens: bound, so that nobody else gets it.</summary>
+/// <summary>A port of this test without a listener. It is bound, so that no other program gets it.</summary>
 internal sealed class RefusingPort : IDisposable
 {
     private readonly Socket _socket = new(AddressFamily.InterNetwork, SocketType.Stream, ProtocolType.Tcp);

@@ -3,7 +3,7 @@ using NeuronMocap.Transport;
 
 namespace NeuronMocap.Tests.Network;
 
-// A host name that the system goes on looking for.
+// A host name whose look-up does not end.
 internal sealed class UnansweredName
 {
     private readonly TaskCompletionSource _asked = new();

@@ -28,9 +28,9 @@ public sealed class AvatarNameTests
 
     [Theory]
     [InlineData("abcdefghijklmnopqrstuvwxyz0123456", "abcdefghijklmnopqrstuvwxyz012345")]
-    [InlineData("abcdefghijklmnopqrstuvwxyz01234é", "abcdefghijklmnopqrstuvwxyz01234")] // one byte left for two
-    [InlineData("一二三四五六七八九十一", "一二三四五六七八九十")] // ten of three bytes, two bytes left
-    [InlineData("abcdefghijklmnopqrstuvwxyz012🕺", "abcdefghijklmnopqrstuvwxyz012")] // three bytes left for four
+    [InlineData("abcdefghijklmnopqrstuvwxyz01234é", "abcdefghijklmnopqrstuvwxyz01234")] // one byte of room for a letter of two
+    [InlineData("一二三四五六七八九十一", "一二三四五六七八九十")] // ten letters of three bytes, two bytes left
+    [InlineData("abcdefghijklmnopqrstuvwxyz012🕺", "abcdefghijklmnopqrstuvwxyz012")] // three bytes of room for a letter of four
     [InlineData("abcdefghijklmnopqrstuvwxyz0🕺🕺", "abcdefghijklmnopqrstuvwxyz0🕺")]
     [InlineData("🕺🕺🕺🕺🕺🕺🕺🕺🕺", "🕺🕺🕺🕺🕺🕺🕺🕺")]
     public void A_longer_name_is_cut_between_two_characters(string text, string expected) =>

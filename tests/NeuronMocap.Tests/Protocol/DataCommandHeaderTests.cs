@@ -61,7 +61,7 @@ public sealed class DataCommandHeaderTests
         Assert.Equal(Convert.ToHexString(GoldenPackets.OldCommand(command: 5, count: 0, payload: 0)), Convert.ToHexString(written));
     }
 
-    // Offsets 18 and 22, as protocol.md section 2.6 has them; written by hand.
+    // Offsets 18 and 22 as in protocol.md section 2.6, written by hand.
     [Fact]
     public void The_two_known_parameters_start_the_40_bytes()
     {

@@ -4,8 +4,8 @@ using System.Numerics;
 namespace NeuronMocap.Tests.Protocol;
 
 /// <summary>
-/// The binary32 nearest to a decimal, ties to even, by a division of integers of any size. Independent of the runtime: the parser of .NET 8 is wrong
-/// about very small exponents and very long words.
+/// Converts a decimal to the nearest binary32, ties to even, by dividing integers of any size. It is independent of the runtime, because the parser
+/// of .NET 8 is wrong for very small exponents and very long words.
 /// </summary>
 internal static class ExactDecimal
 {
@@ -39,7 +39,7 @@ internal static class ExactDecimal
         else
             numerator *= BigInteger.Pow(10, exponent);
 
-        // One bit too few or too many of the quotient's estimate shows in the mantissa.
+        // If the estimate of the quotient is off by one bit, the mantissa shows it.
         int power = (int)(numerator.GetBitLength() - denominator.GetBitLength()) - MantissaBits;
         if ((Scale(numerator, -power) / Scale(denominator, power)).GetBitLength() > MantissaBits)
             power++;
@@ -51,7 +51,7 @@ internal static class ExactDecimal
         if (half > 0 || (half == 0 && !mantissa.IsEven))
             mantissa++;
 
-        // Both are exact in a double; what is too large for a float becomes infinite.
+        // Both are exact in a double. Values too large for a float become infinite.
         return (float)((double)mantissa * Math.ScaleB(1, power));
     }
 

@@ -2,7 +2,7 @@ using NeuronMocap.Protocol;
 
 namespace NeuronMocap.Tests.Protocol;
 
-/// <summary>Generated streams through <see cref="PacketAssembler"/> and through <see cref="ReferenceScanner"/>.</summary>
+/// <summary>Generated streams, read by <see cref="PacketAssembler"/> and by <see cref="ReferenceScanner"/>.</summary>
 public sealed class PacketScannerPropertyTests
 {
     private static readonly byte[] TokenBytes = [0xFF, 0xFF, 0xFF, 0xDD, 0xEE, 0x88, 0x99, 0xAA, 0xBB, 0x00, 0x01, 0x02];
@@ -34,7 +34,7 @@ public sealed class PacketScannerPropertyTests
             $"{packets} packets, {refused} refused headers, {pending} open ends: the streams are too poor to prove anything.");
     }
 
-    // Nothing but whole packets: no skips to hide behind.
+    // Only whole packets, so that skips cannot hide a fault.
     [Fact]
     public void Every_whole_packet_that_arrives_is_delivered() =>
         Properties.Hold(WireStream.OfWholePackets, stream => stream.Simpler(), count: 1_000, stream =>

@@ -69,8 +69,8 @@ public sealed class PacketScannerTests
     public void A_packet_whose_start_was_missed_is_skipped_up_to_the_next(Splitting splitting) =>
         AssertFound(splitting, [.. First[10..], .. Second], [Second], skipped: First.Length - 10);
 
-    // The stream has neither length prefix nor checksum: the header's promise is kept with whatever follows, as the vendor's library does
-    // (protocol.md section 5). The packet that was eaten into is lost, the one behind it is found.
+    // The stream has neither length prefix nor checksum. The bytes that follow a header count as its payload, as in the vendor's library (protocol.md
+    // section 5). The packet whose start is consumed in this way is lost. The packet after it is found.
     [Theory, EverySplitting]
     public void A_truncated_packet_consumes_bytes_of_the_next(Splitting splitting)
     {

@@ -82,7 +82,7 @@ public class StreamFixtureTests
         }
     }
 
-    /// <summary>Another encoder's streams, where a class derives from this one.</summary>
+    /// <summary>Loads a stream. Derived classes load another encoder's streams.</summary>
     internal virtual StreamFixture Load(string name) => StreamFixture.Load(name);
 
     private static bool CarriesValues(FoundPacket packet) => packet.Kind != PacketKind.Command && packet.Bytes.Length > 64;

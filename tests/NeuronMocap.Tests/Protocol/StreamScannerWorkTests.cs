@@ -4,10 +4,10 @@ using NeuronMocap.Tests.Network;
 
 namespace NeuronMocap.Tests.Protocol;
 
-/// <summary>Hostile bytes cost a few looks at each, whatever they are. Counted, not timed.</summary>
+/// <summary>Each hostile byte is examined only a few times, whatever the bytes are. The examinations are counted, not timed.</summary>
 public class StreamScannerWorkTests
 {
-    // Looks at each byte: for the line that it may belong to, for a packet, and for the next line's start.
+    // Examinations of each byte: for its possible line, for a packet, and for the start of the next line.
     private const int MostLooks = 4;
 
     private const int Length = 64 * 1024;
@@ -40,7 +40,7 @@ public class StreamScannerWorkTests
         Assert.InRange(Scan(bytes), 0, MostLooks * Length);
     }
 
-    // A packet that is announced and never comes keeps nothing from being passed over.
+    // A packet that is announced but never comes does not keep bytes from being skipped.
     [Fact]
     public void A_large_header_is_scanned_once()
     {
@@ -65,7 +65,7 @@ public class StreamScannerWorkTests
         }
     }
 
-    // What is known to hold no packet may not hide one that comes later, nor a line.
+    // A section known to hold no packet must not hide a later packet or line.
     [Fact]
     public void Packets_and_lines_after_hostile_text_are_found_at_every_split()
     {

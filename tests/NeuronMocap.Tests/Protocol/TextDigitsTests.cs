@@ -61,7 +61,7 @@ public class TextDigitsTests
             Check((random.NextSingle() - 0.5f) * 400, random.Next(9));
     }
 
-    // Around every power of two the distance to the next value doubles; the smallest values have fewer bits.
+    // At every power of two, the distance to the next value doubles. The smallest values have fewer bits.
     [Fact]
     public void The_neighbours_of_all_powers_of_two_are_read_back_from_the_fewest_exact_decimals()
     {
@@ -106,7 +106,7 @@ public class TextDigitsTests
             Assert.False(IsReadBack(value, Round(value, written - 1)), $"{text} has more decimals than it needs.");
     }
 
-    // TextNumber is what reads our files, and float.Parse of .NET is exact, too.
+    // TextNumber reads our own files, and float.Parse of .NET is exact too.
     private static void AssertReadBack(float value, string text)
     {
         Assert.True(IsReadBack(value, text), $"{value:R} was written as {text}.");
@@ -116,11 +116,11 @@ public class TextDigitsTests
 
     private static bool IsReadBack(float value, string text) => AreSame(value, float.Parse(text, CultureInfo.InvariantCulture));
 
-    // Text does not tell the many patterns of NaN apart.
+    // Text does not distinguish the many patterns of NaN.
     private static bool AreSame(float value, float other) =>
         BitConverter.SingleToInt32Bits(value) == BitConverter.SingleToInt32Bits(other) || (float.IsNaN(value) && float.IsNaN(other));
 
-    // The value as a fraction of whole numbers, rounded by long division.
+    // The value as a fraction of integers, rounded by long division.
     private static string Round(float value, int decimals)
     {
         int bits = BitConverter.SingleToInt32Bits(value);

@@ -48,7 +48,7 @@ public sealed class TextEncoderTests
         Assert.Equal(expected + "\n", Encoding.ASCII.GetString(_buffer, 0, length));
     }
 
-    // The framework's own conversion of the exact decimal value is the judge.
+    // The framework's conversion of the exact decimal value is the reference.
     [Fact]
     public void Every_value_is_the_nearest_number_of_its_decimals()
     {
@@ -103,7 +103,7 @@ public sealed class TextEncoderTests
         Assert.Equal(size, TextEncoder.WriteMotion(_buffer, -1, name, values, decimals));
         Assert.ThrowsAny<ArgumentException>(() => TextEncoder.WriteMotion(_buffer.AsSpan(0, size - 1), -1, name, values, decimals));
 
-        // No space stands before the first column.
+        // There is no space before the first column.
         int calculation = TextEncoder.GetMaxCalculationSize(values.Length, decimals) + (decimals == 0 ? -values.Length : 0) - 1;
         Assert.Equal(calculation, TextEncoder.WriteCalculation(_buffer, values, decimals));
         Assert.ThrowsAny<ArgumentException>(() => TextEncoder.WriteCalculation(_buffer.AsSpan(0, calculation - 1), values, decimals));

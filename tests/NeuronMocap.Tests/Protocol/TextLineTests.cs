@@ -6,7 +6,7 @@ using static NeuronMocap.Tests.Protocol.TextReading;
 
 namespace NeuronMocap.Tests.Protocol;
 
-/// <summary>What a line of text says: its number, name and values. Each case whole and byte by byte.</summary>
+/// <summary>The number, name and values of a line of text. Each case is read whole and byte by byte.</summary>
 public sealed class TextLineTests
 {
     [Theory]
@@ -106,7 +106,7 @@ public sealed class TextLineTests
         Assert.DoesNotContain(SkipReason.MalformedLine, log.Reasons);
     }
 
-    // Both lines' words are no name.
+    // The words of both lines do not form a name.
     [Fact]
     public void A_cut_line_does_not_take_the_next_as_its_name()
     {

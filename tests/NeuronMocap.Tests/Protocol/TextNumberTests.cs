@@ -68,7 +68,7 @@ public class TextNumberTests
         Assert.False(TextNumber.TryParse(Encoding.UTF8.GetBytes(text), out double _, out _));
     }
 
-    // What a recorder prints, to various precisions.
+    // The output of a recorder, with various precisions.
     [Fact]
     public void Random_decimals_are_read_as_the_nearest_float()
     {
@@ -91,7 +91,7 @@ public class TextNumberTests
         }
     }
 
-    // Halfway between two floats and just beside it, in as few digits as a double needs and in more than it holds.
+    // Halfway between two floats and just beside it, with as few digits as a double needs and with more than it holds.
     [Fact]
     public void Halfway_numbers_are_read_as_the_nearest_float()
     {
@@ -115,7 +115,7 @@ public class TextNumberTests
         }
     }
 
-    // As many digits as anybody writes, the powers of ten around the ends of the range, and words that go on for thousands of digits.
+    // As many digits as programs write, the powers of ten around the ends of the range, and words with thousands of digits.
     [Fact]
     public void Long_words_are_read_as_the_nearest_float()
     {
@@ -130,7 +130,7 @@ public class TextNumberTests
         }
     }
 
-    // The exact middle of two floats has up to 113 digits; one digit, wherever it stands behind, takes it to the upper one.
+    // The exact middle of two floats has up to 113 digits. One further digit, wherever it is, rounds it to the upper float.
     [Fact]
     public void Exact_halfway_numbers_are_distinguished_from_their_neighbours()
     {
@@ -140,7 +140,7 @@ public class TextNumberTests
             int bits = (i % 4) switch
             {
                 0 => random.Next(0x0080_0000), // subnormal
-                1 => random.Next(0x7F00_0000, 0x7F80_0000), // up to the largest, beside which lies infinity
+                1 => random.Next(0x7F00_0000, 0x7F80_0000), // up to the largest, next to infinity
                 2 => random.Next(0x100) << 23, // just above and below a power of two
                 _ => random.Next(0x7F80_0000),
             };
@@ -231,7 +231,7 @@ public class TextNumberTests
         Assert.False(TextNumber.TryParsePlain("1.5 "u8, out _, out _));
     }
 
-    // Both ways of reading digits, all counts of them, and what may stand behind: never another number than the framework's.
+    // Both ways of reading digits, all numbers of digits, and all possible following characters. The number always equals the framework's.
     [Fact]
     public void The_fast_path_matches_the_framework()
     {
@@ -263,7 +263,7 @@ public class TextNumberTests
         Assert.Equal((-12500, 2), (value, lastDigit));
     }
 
-    // Of the framework's parsers, every version reads these right.
+    // All versions of the framework's parser read these correctly.
     [Fact]
     public void The_reference_parser_matches_the_framework()
     {

@@ -5,7 +5,7 @@ using NeuronMocap.Tests.Network;
 
 namespace NeuronMocap.Tests.Protocol;
 
-/// <summary>Lines of text, and what <see cref="PacketAssembler"/> makes of them.</summary>
+/// <summary>Lines of text, and their results from <see cref="PacketAssembler"/>.</summary>
 internal static class TextReading
 {
     public static string Line(int frame, int count, string end, string? lead = null, string separator = " ") =>
@@ -13,7 +13,7 @@ internal static class TextReading
 
     public static PacketLog Read(string text) => Read(Encoding.UTF8.GetBytes(text));
 
-    // Whole, and byte by byte: the same has to come out.
+    // Whole, and byte by byte. Both must give the same result.
     public static PacketLog Read(byte[] bytes)
     {
         PacketLog whole = Push([bytes]);

@@ -5,7 +5,7 @@ using static NeuronMocap.Tests.Protocol.TextReading;
 
 namespace NeuronMocap.Tests.Protocol;
 
-/// <summary>Where lines of text begin and end in a stream. Each case whole and byte by byte.</summary>
+/// <summary>The start and end of lines of text in a stream. Each case is read whole and byte by byte.</summary>
 public sealed class TextStreamTests
 {
     [Theory]
@@ -54,7 +54,7 @@ public sealed class TextStreamTests
         Assert.Equal(0, log.Skipped);
     }
 
-    // A stream that is joined in the middle of a line.
+    // A stream joined in the middle of a line.
     [Theory]
     [InlineData(1)]
     [InlineData(3)]
@@ -69,7 +69,7 @@ public sealed class TextStreamTests
         Assert.Single(log.Packets);
     }
 
-    // Of 360 values the last 356 words could be the number, the name and the values of a line of 354.
+    // In a line of 360 values, the last 356 words could be the number, the name and the values of a line of 354.
     [Fact]
     public void A_late_start_gives_no_frame_from_a_partial_line()
     {
@@ -109,7 +109,7 @@ public sealed class TextStreamTests
         Assert.Equal(0, log.Skipped);
     }
 
-    // Digits, words and line ends in front of a packet: it is there with its last byte all the same.
+    // Digits, words and line ends before a packet do not delay it: it is complete with its last byte.
     [Theory]
     [InlineData("\n0 Char00 1.0 2.0 ")]
     [InlineData("5")]

@@ -40,7 +40,7 @@ public sealed class AddressTests
         using var server = new TestServer(IPAddress.Parse("127.0.77.3"), blackHole.Port);
         var options = new LinkOptions("suit-pc", blackHole.Port)
         {
-            ConnectTimeout = TimeSpan.FromSeconds(2), // which the one that does has, too
+            ConnectTimeout = TimeSpan.FromSeconds(2), // the working address has the same limit
             Resolve = _ => Task.FromResult<IPAddress[]>([IPAddress.Loopback, IPAddress.Parse("127.0.77.3")]),
         };
         await AssertReceivesAsync(new NeuronReader(server.Options(), () => new TcpLink(options)), server);
@@ -54,7 +54,7 @@ public sealed class AddressTests
         int asked = 0;
         var options = new LinkOptions("suit-pc", server.Port)
         {
-            // The computer got another address meanwhile.
+            // The computer got another address in the meantime.
             Resolve = _ => Task.FromResult<IPAddress[]>([IPAddress.Parse(++asked < 3 ? "127.0.77.5" : "127.0.77.4")]),
         };
         await AssertReceivesAsync(new NeuronReader(server.Options(reconnect: true), () => new TcpLink(options)), server);
@@ -96,7 +96,7 @@ public sealed class AddressTests
             await connection.SendAsync(TestPackets.Motion(1));
             await reader.WaitForFramesAsync(1);
 
-            // Before the connection goes, and the reader looks for another.
+            // Before the connection ends, and the reader looks for another.
             await reader.DisposeAsync();
         }
     }

@@ -6,7 +6,7 @@ using NeuronMocap.Transport;
 
 namespace NeuronMocap.Tests.Reader;
 
-// Receive threads change from read to read, so the whole process is measured: these tests run alone.
+// Receive threads change from read to read, so these tests measure the whole process and run alone.
 [CollectionDefinition(nameof(Alone), DisableParallelization = true)]
 public sealed class Alone;
 
@@ -73,7 +73,7 @@ public sealed partial class AllocationTests
         reader.MotionReceived += _ => Interlocked.Increment(ref counted);
         return () =>
         {
-            // Newer frames replace those not taken; the round is over when all have arrived.
+            // Newer frames replace frames not yet taken. The round is over when all have arrived.
             if (latest.TryTakeMotion(0, out MotionFrame? frame))
                 frames += frame.Values.Length;
 
@@ -101,7 +101,7 @@ public sealed partial class AllocationTests
         first.Connect(reader.Status.LocalEndPoint!);
         second.Connect(reader.Status.LocalEndPoint!);
 
-        // Two senders in turn, each frame in two datagrams: every datagram comes from another address than the one before.
+        // Two senders in turn, each frame in two datagrams, so that every datagram comes from another address than the one before.
         AssertNothingAllocated(
             () =>
             {
@@ -171,7 +171,7 @@ public sealed partial class AllocationTests
             take);
     }
 
-    // send returns how many frames it sent, take how many arrived since it was last asked.
+    // send returns the number of frames sent. take returns the number of frames received since the last call.
     private static void AssertNothingAllocated(Func<int> send, Func<int> take)
     {
         Run(send, take);

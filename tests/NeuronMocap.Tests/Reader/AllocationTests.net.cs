@@ -38,7 +38,7 @@ public sealed partial class AllocationTests
             return () => queue.Pump(handler);
         });
 
-        // The hand-over of each frame and the interval before it, which the first one has not: two rounds to get warm and one at least that is measured.
+        // The hand-over of each frame, and the interval before it except for the first: two rounds of warm-up and at least one measured round.
         Assert.InRange(recorded, (2 * 3 * FramesPerRound) - 1, long.MaxValue);
     }
 }

@@ -5,7 +5,7 @@ using NeuronMocap.Tests.Recording;
 
 namespace NeuronMocap.Tests.Reader;
 
-// What an export does with its file: when it is there already, when it cannot be written or closed, and when nothing came.
+// How an export treats its file: if it exists, if it cannot be written or closed, and if no frame arrived.
 public sealed class BvhExportFileTests : BvhExportTest
 {
     [Fact]
@@ -26,7 +26,7 @@ public sealed class BvhExportFileTests : BvhExportTest
         Assert.Throws<ArgumentOutOfRangeException>(() => reader.ExportBvh(other, new BvhExportOptions { Capacity = 0 }));
     }
 
-    // It may be a device: what an export did not make, it does not delete.
+    // It may be a device. An export does not delete files that it did not create.
     [Theory]
     [InlineData(0)]
     [InlineData(3)]
@@ -46,7 +46,7 @@ public sealed class BvhExportFileTests : BvhExportTest
         Assert.True(File.Exists(Target));
     }
 
-    // Once it is closed, the file may be another writer's.
+    // Once it is closed, the file may belong to another writer.
     [Theory]
     [InlineData(0)]
     [InlineData(3)]
@@ -117,7 +117,7 @@ public sealed class BvhExportFileTests : BvhExportTest
         Assert.InRange(export.FramesDropped, 1, Sent - read.FrameCount);
         Assert.Equal(TestPackets.Value(read.FrameCount - 1, 0, 5), read.GetFrame(read.FrameCount - 1)[5]);
 
-        // Told at once, and the reader goes on.
+        // Reported at once, and the reader continues.
         await Limits.UntilAsync(() => events.Any(static news => news.Id == ReaderEventId.ExportFailed));
         ReaderEvent failed = Assert.Single(events, static news => news.Id == ReaderEventId.ExportFailed);
         Assert.Equal((ReaderEventLevel.Error, export.Failure, Target), (failed.Level, failed.Exception, failed.Subject));
@@ -127,7 +127,7 @@ public sealed class BvhExportFileTests : BvhExportTest
         Assert.DoesNotContain(events, static news => news.Id == ReaderEventId.ExportStopped);
     }
 
-    // What a process that is killed at this moment would leave behind: what the system has.
+    // What a process killed at this moment would leave behind: the data already passed to the system.
     [Fact]
     public async Task The_file_is_always_readable_up_to_the_last_flush()
     {

@@ -3,7 +3,7 @@ using NeuronMocap.Tests.Network;
 
 namespace NeuronMocap.Tests.Reader;
 
-// A reader that exports to a file of its own what a server of the test sends.
+// A reader that exports frames of a test server to its own file.
 public abstract class BvhExportTest : IDisposable
 {
     private protected static readonly BvhExportOptions Patient = new() { HeaderTimeout = Limits.Unexpected };
@@ -21,7 +21,7 @@ public abstract class BvhExportTest : IDisposable
         GC.SuppressFinalize(this);
     }
 
-    // Sends packets to a reader whose connection ends after them.
+    // Sends packets to a reader whose connection then ends.
     private protected async Task<BvhExport> ExportAsync(byte[][] packets, BvhExportOptions? options = null, int? commandPort = null)
     {
         NeuronReaderOptions readerOptions = Server.Options();
@@ -33,7 +33,7 @@ public abstract class BvhExportTest : IDisposable
         foreach (byte[] packet in packets)
             await connection.SendAsync(packet);
 
-        // A reader whose connection has ended asks nothing more.
+        // After its connection ends, a reader asks nothing more.
         if (commandPort is not null)
             await Limits.UntilAsync(() => export.FramesWritten > 0);
 

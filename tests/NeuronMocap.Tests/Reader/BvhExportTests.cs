@@ -159,7 +159,7 @@ public sealed class BvhExportTests : BvhExportTest
         Assert.Equal(257, BvhDocument.Load(Target).FrameCount);
     }
 
-    // The writer waits for the command channel; a disk that does not answer is no different.
+    // The writer waits for the command channel. A disk that does not answer has the same effect.
     [Fact]
     public async Task A_full_export_queue_drops_and_counts_without_blocking()
     {
@@ -172,7 +172,7 @@ public sealed class BvhExportTests : BvhExportTest
         using TestConnection connection = await Server.AcceptAsync();
         await connection.SendAsync(TestPackets.Motions(0, 100));
 
-        // Consumers get a packet one after the other, and the export after those that tell of it: the hundredth is its own only now.
+        // Consumers receive a packet one after the other, and the export after the consumers that report it. Only now has it received the hundredth.
         await Limits.UntilAsync(() => export.FramesDropped == 96);
         await reader.WaitForFramesAsync(100);
         export.Dispose();
@@ -194,7 +194,7 @@ public sealed class BvhExportTests : BvhExportTest
         await Limits.UntilAsync(() => export.FramesWritten == 3);
         await reader.DisposeAsync();
 
-        // The reader ends its exports, too.
+        // The reader also ends its exports.
         await export.StopAsync(TestContext.Current.CancellationToken).Soon();
         Assert.Equal(
             [ReaderEventId.ExportStarted, ReaderEventId.ExportStopped],

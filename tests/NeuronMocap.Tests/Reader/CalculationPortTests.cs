@@ -9,7 +9,7 @@ using NeuronMocap.Tests.Network;
 
 namespace NeuronMocap.Tests.Reader;
 
-// Motion and calculation data from a port each, as servers usually send them.
+// Motion and calculation data on separate ports, as servers usually send them.
 public sealed class CalculationPortTests : IDisposable
 {
     private const int Frames = 200;
@@ -74,7 +74,7 @@ public sealed class CalculationPortTests : IDisposable
         await Limits.UntilAsync(() => reader.CalculationStatus is { State: ConnectionState.Waiting, Reason: ConnectionReason.Refused, Attempt: > 3 });
         Assert.True(log.All.Count < 12, string.Join('\n', log.All));
 
-        // It comes later.
+        // The server starts later.
         using var server = new TestServer(IPAddress.Loopback, port);
         using TestConnection late = await server.AcceptAsync();
         await late.SendAsync(TestPackets.Calculation(1));
@@ -83,7 +83,7 @@ public sealed class CalculationPortTests : IDisposable
         Assert.Contains("Receiving from", receiving.Message, StringComparison.Ordinal);
     }
 
-    // Each change of the calculation port tells the first connection's state again.
+    // Each change of the calculation port reports the first connection's state again.
     [Fact]
     public async Task An_unstable_calculation_port_repeats_no_commands()
     {
@@ -102,7 +102,7 @@ public sealed class CalculationPortTests : IDisposable
             await Limits.UntilAsync(() => reader.CalculationStatus is { State: ConnectionState.Connected });
         }
 
-        // One more on purpose: those before it have been asked by then.
+        // Accepts one more connection. The requests before it have been answered by then.
         using TestConnection last = await _calculation.AcceptAsync();
         await Limits.UntilAsync(() => reader.CalculationStatus is { State: ConnectionState.Connected });
         Assert.Equal(2, commands.Requests);
@@ -176,7 +176,7 @@ public sealed class CalculationPortTests : IDisposable
         Assert.Equal(10, reader.GetStatistics().MotionFrames);
     }
 
-    // Both threads deliver as fast as they can: what is behind them has one producer at a time.
+    // Both threads deliver at full speed, but the consumers see one producer at a time.
     [Fact]
     public async Task Two_busy_connections_lose_nothing_and_keep_their_order()
     {
@@ -307,7 +307,7 @@ public sealed class CalculationPortTests : IDisposable
         Reconnect = { Enabled = reconnect, InitialDelay = TimeSpan.FromMilliseconds(1), MaxDelay = TimeSpan.FromMilliseconds(5) },
     });
 
-    // A real server and a reader of it, which is prepared before the first frame.
+    // Starts a real server and a reader for it. The reader is prepared before the first frame.
     private async Task<(NeuronReader Reader, Broadcaster Server)> ServeAsync(TransportKind transport, Action<NeuronReader> prepare)
     {
         if (transport == TransportKind.Udp)

@@ -211,7 +211,7 @@ public sealed class ConnectionTests
         end(connection);
     }
 
-    // A port that was free a moment ago; nothing here binds fixed ports, so it stays free.
+    // A port that was free a moment ago. No test binds fixed ports, so it stays free.
     private static int FreePort()
     {
         using var listener = new TcpListener(IPAddress.Loopback, 0);

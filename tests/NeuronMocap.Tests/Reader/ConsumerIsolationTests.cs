@@ -2,7 +2,7 @@ using NeuronMocap.Tests.Network;
 
 namespace NeuronMocap.Tests.Reader;
 
-/// <summary>Consumers that are slow, throw or are stuck, on a real connection, with other threads fighting for the processors.</summary>
+/// <summary>Consumers that are slow, throw or hang, on a real connection, with other threads competing for the processors.</summary>
 [Collection(nameof(Alone))]
 public sealed class ConsumerIsolationTests : IDisposable
 {
@@ -46,7 +46,7 @@ public sealed class ConsumerIsolationTests : IDisposable
             await reader.Completion.Soon();
         }
 
-        // All of it was received while two consumers were stuck and one did not come back for its second frame.
+        // All frames were received while two consumers hung and a third did not return for its second frame.
         Assert.False(pumpedStuck.IsCompleted || holding.IsCompleted);
         Assert.Equal(Sent, reader.GetStatistics().MotionFrames);
         Assert.Equal((Sent, 0), (called.Frames, called.Missing));
@@ -70,7 +70,7 @@ public sealed class ConsumerIsolationTests : IDisposable
         Assert.Equal(dropped, reader.GetStatistics().Dropped);
     }
 
-    // Each visitor leaves, and the next one comes, in the middle of the frames that the first one asked for.
+    // Each visitor leaves and the next one arrives in the middle of the frames that the first one requested.
     [Fact]
     public async Task Temporary_queues_see_no_gaps()
     {
@@ -115,8 +115,7 @@ public sealed class ConsumerIsolationTests : IDisposable
         _server.Dispose();
     }
 
-    // Pumps on a thread of its own until the reader has ended and the queue is empty. The frame is looked at before and after the handler
-    // has done what it does.
+    // Pumps on its own thread until the reader has ended and the queue is empty. Checks the frame before and after the handler runs.
     private static Task<RunOfFrames> PumpAsync(FrameQueue queue, NeuronReader reader, Action dawdle) => Task.Factory.StartNew(
         () =>
         {
@@ -133,7 +132,7 @@ public sealed class ConsumerIsolationTests : IDisposable
                 }
                 catch (FormatException)
                 {
-                    // The handler's own; the next call goes on behind it.
+                    // The handler's own exception. The next call continues after it.
                 }
             }
 
@@ -148,7 +147,7 @@ public sealed class ConsumerIsolationTests : IDisposable
         TaskCreationOptions.LongRunning,
         TaskScheduler.Default);
 
-    // Takes the first frame and keeps looking at it until it is let go; then returns the number of the newest one.
+    // Takes the first frame and checks it until released. Then returns the number of the newest frame.
     private Task<int> HoldAsync(LatestFrames latest) => Task.Factory.StartNew(
         () =>
         {
@@ -169,7 +168,7 @@ public sealed class ConsumerIsolationTests : IDisposable
         TaskCreationOptions.LongRunning,
         TaskScheduler.Default);
 
-    // Counts frames that are whole and come in order.
+    // Counts frames that are whole and in order.
     private sealed class RunOfFrames
     {
         private int _next = -1;

@@ -96,7 +96,7 @@ public sealed class EventTests
         await connection.SendAsync(TestPackets.Join(TestPackets.Motion(1), TestPackets.Motion(2), TestPackets.Motion(5), TestPackets.Motion(6)));
         await reader.Completion.Soon();
 
-        // The handler went on before the reader's end was told, which waits for it.
+        // The handler continued before the reader reported its end, because the report waits for the handler.
         Assert.DoesNotContain("Stopped", order);
         Assert.Contains("FramesLost", order);
         Assert.Equal(ReaderEventId.Stopped, Events()[^1].Id);
@@ -120,7 +120,7 @@ public sealed class EventTests
 
             Volatile.Write(ref busy, true);
             entered.TrySetResult();
-            Thread.Sleep(300); // longer than a stop that does not wait takes
+            Thread.Sleep(300); // longer than a stop that does not wait
             Volatile.Write(ref busy, false);
         };
         reader.Start();
@@ -134,7 +134,7 @@ public sealed class EventTests
 
         Assert.False(Volatile.Read(ref busy));
 
-        // The receive thread tells its state when it comes to it, during the report or before.
+        // The receive thread reports its state when it can, during the report or before.
         IEnumerable<ReaderEventId> events = Events().Select(reported => reported.Id).Where(id => id != ReaderEventId.Receiving);
         Assert.Equal(
             [ReaderEventId.Connecting, ReaderEventId.Connected, ReaderEventId.BytesSkipped, ReaderEventId.CallbackFailed, ReaderEventId.Stopped], events);
@@ -152,7 +152,7 @@ public sealed class EventTests
         using TestConnection connection = await server.AcceptAsync();
         await connection.SendAsync(TestPackets.Join(TestPackets.Motion(1), TestPackets.Motion(2), TestPackets.Motion(5), TestPackets.Motion(6)));
         await reader.WaitForFramesAsync(4);
-        await log.WaitAsync(ConnectionState.Silent); // which the timer tells that looks for losses too
+        await log.WaitAsync(ConnectionState.Silent); // set by the timer that also looks for losses
         reader.EventReported += Keep;
         await Limits.UntilAsync(() => Events().Any(reported => reported.Id == ReaderEventId.FramesLost));
         Assert.Equal(2, Events().First(reported => reported.Id == ReaderEventId.FramesLost).Count);
@@ -200,7 +200,7 @@ public sealed class EventTests
         Assert.Equal(2, reader.GetStatistics().Reconnects);
     }
 
-    // Several reports of one kind, where the timer came in between, count as one.
+    // Several reports of one kind, separated by the timer, count as one.
     private static IEnumerable<(ReaderEventId Id, long Count)> Sums(ReaderEvent[] events) =>
         events.GroupBy(reported => reported.Id).Select(group => (group.Key, group.Sum(reported => reported.Count))).OrderBy(Rank);
 

@@ -5,7 +5,7 @@ using NeuronMocap.Tests.Network;
 
 namespace NeuronMocap.Tests.Reader;
 
-// The streams of a foreign encoder over real sockets, to the frames that an application sees.
+// The streams of a foreign encoder over real sockets, up to the frames that an application sees.
 public class FixtureReaderTests
 {
     public static TheoryData<string> Names => WrittenStreams.Names;
@@ -30,7 +30,7 @@ public class FixtureReaderTests
     [MemberData(nameof(Names))]
     public async Task Over_udp_in_datagrams_of_1024(string name) => await OverUdpAsync(name, 1024);
 
-    /// <summary>Another encoder's streams, where a class derives from this one.</summary>
+    /// <summary>Loads a stream. Derived classes load another encoder's streams.</summary>
     internal virtual StreamFixture Load(string name) => StreamFixture.Load(name);
 
     private async Task OverTcpAsync(string name, int pieceSize)

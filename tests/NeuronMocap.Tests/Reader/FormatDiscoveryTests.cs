@@ -9,7 +9,7 @@ using NeuronMocap.Tests.Network;
 
 namespace NeuronMocap.Tests.Reader;
 
-// What the stream does not say, asked for on the command channel.
+// Information missing from the stream, requested on the command channel.
 public sealed class FormatDiscoveryTests : IDisposable
 {
     private static readonly SkeletonFormat Told = new(RotationOrder.ZXY, SkeletonVariant.Spine3);
@@ -186,7 +186,7 @@ public sealed class FormatDiscoveryTests : IDisposable
         return options;
     }
 
-    // The first frame and the first status that are wanted, of a reader that receives from one connection.
+    // Returns the first wanted frame and the first wanted status of a reader that receives from one connection.
     private async Task<(MotionFrame Frame, ConnectionStatus Status)> ReceiveAsync(
         NeuronReaderOptions options, Predicate<MotionFrame> wanted, Predicate<ConnectionStatus> told)
     {

@@ -6,7 +6,7 @@ using NeuronMocap.Tests.Server.Sources;
 
 namespace NeuronMocap.Tests.Reader;
 
-// Everything that the broadcaster can send, through the reader, which is not told what comes.
+// Every format of the broadcaster through a reader that is not told the format.
 public sealed class FormatTests
 {
     private const int Frames = 40;
@@ -107,13 +107,13 @@ public sealed class FormatTests
         Assert.Equal(isNumbered ? (uint)number : null, frame.FrameIndex);
         AssertClose(expected, frame.Values, options);
 
-        // The first frame's time is midnight, which cannot be told from none.
+        // The time of the first frame is midnight, which looks the same as no time.
         Assert.Equal(options.Format == BroadcastFormat.Studio && number > 0 ? new Timecode(0, 0, 0, number) : null, frame.Timecode);
         if (options.Format == BroadcastFormat.Studio)
             Assert.Equal((uint)options.RotationOrder, frame.Header.Reserved);
     }
 
-    // A line of text says neither whose it is nor which frame: only its place does.
+    // A line of text carries neither avatar nor frame number. Only its place shows them.
     private static void AssertCalculation(CalculationFrame frame, BroadcasterOptions options, int index, int motions)
     {
         Assert.Equal(index + 1, motions);

@@ -3,7 +3,7 @@ using NeuronMocap.Tests.Network;
 
 namespace NeuronMocap.Tests.Reader;
 
-// Alone, because the memory of the whole process is measured.
+// Alone, because it measures the memory of the whole process.
 [Collection(nameof(Alone))]
 public sealed class GarbageTests
 {
@@ -30,7 +30,7 @@ public sealed class GarbageTests
         connection.Socket.Send(block);
         connection.Socket.Send(block);
 
-        // Some status messages, and what the test runner does meanwhile; 8 MB go through.
+        // Covers some status messages and the test runner's own allocations, while 8 MB pass through.
         long sent = 2;
         Assert.InRange(Allocations.LeastOfProcess(SendBlocks, Enough), 0, Enough);
         while (!named.IsCompleted)

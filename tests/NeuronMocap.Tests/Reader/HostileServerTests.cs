@@ -7,7 +7,7 @@ using NeuronMocap.Transport;
 
 namespace NeuronMocap.Tests.Reader;
 
-// A real broadcast, which gives every client all frames from 0 on, through a proxy that spoils the way.
+// A real broadcast that sends every client all frames from 0 on, through a proxy that disturbs the connection.
 public abstract class HostileServerTests
 {
     private const int Frames = 100;
@@ -32,7 +32,7 @@ public abstract class HostileServerTests
             {
                 await link.ForwardAsync((10 * FrameSize) + cut);
 
-                // A reset takes with it what the other side has not read.
+                // A reset discards data that the other side has not read.
                 await Limits.UntilAsync(() => reader!.GetStatistics().MotionFrames == 10);
                 link.Reset();
                 return;
@@ -52,7 +52,7 @@ public abstract class HostileServerTests
         Assert.Equal(ConnectionReason.Reset, (await log.WaitAsync(ConnectionState.Waiting)).Reason);
         Assert.Equal((1L, 0L), (reader.GetStatistics().Reconnects, reader.GetStatistics().Lost));
 
-        // Of the cut frame, what had been read before the reset.
+        // The part of the cut frame that was read before the reset.
         Assert.InRange(reader.GetStatistics().BytesSkipped, 0, cut);
     }
 
@@ -119,7 +119,7 @@ public abstract class HostileServerTests
 
         Assert.Equal(Enumerable.Range(0, Frames).Select(i => (uint?)i), indices);
 
-        // A busy machine may make pauses of its own.
+        // A busy machine may cause further pauses.
         List<ConnectionState> states = [.. log.All.Select(static status => status.State)];
         Assert.Equal([ConnectionState.Connecting, ConnectionState.Connected], states[..2]);
         Assert.InRange(states.Count(static state => state == ConnectionState.Receiving), 3, int.MaxValue);

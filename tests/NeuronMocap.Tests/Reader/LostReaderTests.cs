@@ -3,7 +3,7 @@ using NeuronMocap.Tests.Network;
 
 namespace NeuronMocap.Tests.Reader;
 
-/// <summary>What becomes of readers that nobody disposes of and nobody refers to any more.</summary>
+/// <summary>Readers that are neither disposed nor referenced any more.</summary>
 [Collection(nameof(Alone))]
 public sealed class LostReaderTests : IDisposable
 {

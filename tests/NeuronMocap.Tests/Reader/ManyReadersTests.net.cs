@@ -2,7 +2,7 @@ using NeuronMocap.Tests.Network;
 
 namespace NeuronMocap.Tests.Reader;
 
-// Alone, because the threads of the process are counted.
+// Alone, because it counts the threads of the process.
 [Collection(nameof(Alone))]
 public sealed class ManyReadersTests
 {
@@ -35,7 +35,7 @@ public sealed class ManyReadersTests
                 ((long)Frames, 0L, 0L),
                 (reader.GetStatistics().MotionFrames, reader.GetStatistics().Lost, reader.GetStatistics().BytesSkipped)));
 
-            // Threads that connected may take a moment to end; those that receive stay.
+            // Connecting threads may take a moment to end. Receiving threads stay.
             await Limits.UntilAsync(() => ProcessResources.TcpThreads is > 0 and <= MaxThreads);
         }
         finally

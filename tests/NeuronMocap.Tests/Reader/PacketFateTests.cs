@@ -9,8 +9,8 @@ using NeuronMocap.Transport;
 namespace NeuronMocap.Tests.Reader;
 
 /// <summary>
-/// What a reader says became of the packets and bytes of damaged streams, against a reading of the whole stream by <see cref="ReferenceScanner"/>: every packet
-/// is delivered, passed over or undelivered, every delivered frame is taken out, dropped or waits, and every other byte is skipped.
+/// Compares a reader's counts for packets and bytes of damaged streams with a reading of the whole stream by <see cref="ReferenceScanner"/>. Every
+/// packet is delivered, skipped or undelivered. Every delivered frame is taken, dropped or waiting. Every other byte is skipped.
 /// </summary>
 public sealed class PacketFateTests
 {
@@ -64,7 +64,7 @@ public sealed class PacketFateTests
         Assert.All([delivered, dropped, passedOver, undelivered, skipped], static count => Assert.True(count > 100, "The cases are too poor to prove anything."));
     }
 
-    // Returns the number of bytes that were pushed before the reader was stopped.
+    // Returns the number of bytes that were pushed before the reader stopped.
     private static int Push(FateCase one, byte[] bytes, ReceivePipeline pipeline, FrameQueue queue)
     {
         var assembler = new PacketAssembler(new PacketScanner(WireStream.MaxValues), pipeline);

@@ -5,7 +5,7 @@ using NeuronMocap.Tests.Server;
 
 namespace NeuronMocap.Tests.Reader;
 
-// Alone, because sockets and threads of the whole process are counted, and because a port that is free for a moment must stay free.
+// Alone, because it counts sockets and threads of the whole process, and because a port that is free for a moment must stay free.
 [Collection(nameof(Alone))]
 public sealed class ReconnectTests
 {
@@ -47,7 +47,7 @@ public sealed class ReconnectTests
                 await connection.SendAsync(TestPackets.Motions(next, frames));
                 await connection.SendAsync(TestPackets.Motion(next + frames).AsMemory(0, random.Next(0, 1480)));
 
-                // A reset takes with it what the other side has not read; where the reader has read it all, nothing.
+                // A reset discards data that the other side has not read. If the reader has read everything, nothing is lost.
                 bool isReset = random.Next(2) == 0;
                 bool isAwaited = random.Next(2) == 0;
                 if (isAwaited)
@@ -64,10 +64,10 @@ public sealed class ReconnectTests
             certain.AddRange(Enumerable.Range(next, 3));
             await Limits.UntilAsync(() => Volatile.Read(ref newest) == next + 2);
 
-            // Before the last connection goes.
+            // Before the last connection ends.
             await reader.DisposeAsync();
 
-            // Some of the resets came before the reader had seen that its connection stood.
+            // Some of the resets came before the reader noticed that its connection was open.
             Assert.Equal((connected - 1, 0L), (reader.GetStatistics().Reconnects, reader.GetStatistics().Lost));
             Assert.InRange(connected, Restarts / 2, Restarts + 1);
             Assert.Equal(0, reader.GetStatistics().CallbackFailures);
@@ -102,7 +102,7 @@ public sealed class ReconnectTests
                     heap = ProcessResources.LiveHeap();
 
 
-                // Every other one is cut as early as can be, at times before the reader has seen that it stood.
+                // Every other connection is cut as early as possible, sometimes before the reader notices that it was open.
                 if (i % 2 == 0)
                     await Limits.UntilAsync(() => IsConnectedTo(reader, connection));
                 if (i % 8 == 0)
@@ -153,7 +153,7 @@ public sealed class ReconnectTests
         await broadcaster.DisposeAsync();
         Assert.Equal((20L, 0L), (reader.GetStatistics().Reconnects, reader.GetStatistics().Lost));
 
-        // On the new connection: frames of the one before may still be on their way.
+        // On the new connection. Frames of the previous one may still be in transit.
         async Task ReceiveAsync(int reconnects)
         {
             await reader.UntilAsync(statistics => statistics.Reconnects == reconnects);
@@ -164,8 +164,8 @@ public sealed class ReconnectTests
     private static bool IsConnectedTo(NeuronReader reader, TestConnection connection) =>
         reader.Status is { IsConnected: true } status && Equals(status.LocalEndPoint, connection.Socket.RemoteEndPoint);
 
-    // A server that stops listening, cuts its connection and listens again on the same port. On an address of its own, where the system has
-    // such, so that no other program takes the port meanwhile.
+    // A server that stops listening, cuts its connection and listens again on the same port. It uses its own address, if the system has such
+    // addresses, so that no other program takes the port in the meantime.
     private sealed class ServerAtOneAddress : IDisposable
     {
         private TestServer _server = new(Address);
@@ -181,7 +181,7 @@ public sealed class ReconnectTests
 
         public Task<TestConnection> AcceptAsync() => _server.AcceptAsync();
 
-        // The listener goes first: no connection can come in between.
+        // Closes the listener first, so that no connection can come in between.
         public void Restart(Action cut)
         {
             int port = _server.Port;

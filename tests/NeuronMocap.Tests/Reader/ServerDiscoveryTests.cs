@@ -14,7 +14,7 @@ using NeuronMocap.Tests.Recording;
 
 namespace NeuronMocap.Tests.Reader;
 
-// What a reader asks the command channel, how often, and who gets the answers.
+// What a reader requests on the command channel, how often, and who receives the answers.
 public sealed class ServerDiscoveryTests : IDisposable
 {
     private static readonly SkeletonFormat Format = new(RotationOrder.ZXY, SkeletonVariant.Spine3);
@@ -72,7 +72,7 @@ public sealed class ServerDiscoveryTests : IDisposable
         using TestConnection second = await _server.AcceptAsync();
         await Limits.UntilAsync(() =>
         {
-            // It stays known meanwhile.
+            // It stays known in the meantime.
             Assert.True(reader.TryGetBody(3, out SkeletonBody? body));
             return LegOf(body) == 62;
         });
@@ -144,7 +144,7 @@ public sealed class ServerDiscoveryTests : IDisposable
         foreach (int seconds in new[] { 5, 10, 20 })
             await RetryAsync(seconds);
 
-        // A new connection begins from the start.
+        // A new connection starts again.
         discovery.Begin();
         await RoundsAsync(5);
         await RetryAsync(5);
@@ -186,7 +186,7 @@ public sealed class ServerDiscoveryTests : IDisposable
             return Volatile.Read(ref requests) == 3;
         });
 
-        // That was the format once more, and the body's header. The next round is the one that is due.
+        // That was the format again, and the body's header. The next round is the one that is due.
         for (int i = 0; i < 100; i++)
             discovery.Check(Stopwatch.GetTimestamp());
 
@@ -201,7 +201,7 @@ public sealed class ServerDiscoveryTests : IDisposable
     private static SkeletonBody Tall(float upperLeg) =>
         SkeletonBody.FromDimensions(SkeletonBody.GetDefault().Measure() with { UpperLeg = upperLeg }, Format.Variant);
 
-    // Centimetres.
+    // In centimetres.
     private static int LegOf(SkeletonBody body) => (int)MathF.Round(body.GetOffset(Bone.LeftLeg).Length());
 
     private static ServerDiscovery Create(CommandScript commands, Action? learnt = null) =>

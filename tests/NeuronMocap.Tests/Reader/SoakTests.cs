@@ -5,8 +5,8 @@ using NeuronMocap.Tests.Network;
 
 namespace NeuronMocap.Tests.Reader;
 
-// A day at 120 Hz is 10,368,000 frames; how many it shall be, the environment says. Through real TCP, whose flow control is the clock. The
-// frame index wraps around in the middle. Alone, because the memory of the whole process is measured.
+// A day at 120 Hz is 10,368,000 frames. An environment variable sets the number. Frames go through real TCP, whose flow control sets the pace. The
+// frame index wraps around in the middle. Alone, because it measures the memory of the whole process.
 [Collection(nameof(Alone))]
 public sealed class SoakTests(ITestOutputHelper output)
 {
@@ -17,10 +17,10 @@ public sealed class SoakTests(ITestOutputHelper output)
     private const int ValueOffset = 64 + (4 * 100);
     private const int FrameSize = 1480;
 
-    // Some status messages and what the test runner does; a byte for each frame of a day would be ten times as much.
+    // Covers some status messages and the test runner. A byte for each frame of a day would be ten times as much.
     private const long HeapRoom = 1_000_000;
 
-    // Of code that is compiled again while it runs, and of the runtime's own.
+    // Covers code that is recompiled at run time, and the runtime's own memory.
     private const long WorkingSetRoom = 64_000_000;
 
     private static readonly long Frames = long.Parse(Environment.GetEnvironmentVariable(Variable) ?? "500000", CultureInfo.InvariantCulture);
@@ -46,7 +46,7 @@ public sealed class SoakTests(ITestOutputHelper output)
         byte[] bytes = TestPackets.Motions(0, FramesPerWrite);
         for (long write = 0; write < writes; write++)
         {
-            // The first tenth fills what is filled once.
+            // The first tenth fills everything that is filled once.
             if (write > 0 && write % (writes / Samples) == 0)
                 await SampleAsync(write * FramesPerWrite);
 
@@ -74,7 +74,7 @@ public sealed class SoakTests(ITestOutputHelper output)
         Assert.InRange(_samples.Max(sample => sample.WorkingSet) - _samples[0].WorkingSet, long.MinValue, WorkingSetRoom);
     }
 
-    // Every frame has the index that follows the one before, across the wrap, and carries that index among its values too.
+    // Every frame has the next index, across the wrap, and carries that index among its values too.
     private void Check(MotionFrame frame, uint first)
     {
         uint expected = unchecked(first + (uint)_received);
@@ -90,7 +90,7 @@ public sealed class SoakTests(ITestOutputHelper output)
         BinaryPrimitives.WriteUInt32LittleEndian(packet[ValueOffset..], index);
     }
 
-    // When nothing is on its way, so that only what is kept is counted.
+    // When nothing is in transit, so that only kept memory counts.
     private async Task SampleAsync(long sent)
     {
         await Limits.UntilAsync(() => Volatile.Read(ref _received) == sent);

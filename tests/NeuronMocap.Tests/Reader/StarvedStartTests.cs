@@ -4,7 +4,7 @@ using NeuronMocap.Tests.Network;
 
 namespace NeuronMocap.Tests.Reader;
 
-// A program may start its reader while all its pool threads are blocked, and shall get its frames all the same.
+// A program may start its reader while all its pool threads are blocked. It must still receive frames.
 [Collection(nameof(Alone))]
 public sealed partial class StarvedStartTests
 {
@@ -17,7 +17,7 @@ public sealed partial class StarvedStartTests
     [InlineData("localhost")]
     public async Task A_reader_starts_and_receives_without_a_thread_of_the_pool(string host)
     {
-        using var warm = new NeuronReader(host); // what is loaded with the first reader needs no pool, but time
+        using var warm = new NeuronReader(host); // loads code in advance, which needs no pool but takes time
         await StarvedPool.RunAsync(() =>
         {
             using var listener = new Socket(AddressFamily.InterNetwork, SocketType.Stream, ProtocolType.Tcp);
@@ -31,7 +31,7 @@ public sealed partial class StarvedStartTests
         });
     }
 
-    // A task that ends in the very moment in which it is awaited makes the runtime ask the pool for a thread. That is rare; the next start then does without.
+    // If a task ends at the very moment when it is awaited, the runtime needs a pool thread. That is rare, and the next start does without it.
     private static NeuronReader StartUntilConnected(string host, Socket listener, CountdownEvent received)
     {
         for (int start = 1; ; start++)
@@ -43,7 +43,7 @@ public sealed partial class StarvedStartTests
                 return reader;
 
             reader.Dispose();
-            Assert.True(start < MostStarts, "nobody connected");
+            Assert.True(start < MostStarts, "no reader connected");
         }
     }
 }

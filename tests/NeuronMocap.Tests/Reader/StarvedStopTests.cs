@@ -6,7 +6,7 @@ using NeuronMocap.Transport;
 
 namespace NeuronMocap.Tests.Reader;
 
-// Programs that block the threads of the pool are common, and a stop that waited for one of them would come back after 2 s with nothing stopped.
+// Programs often block pool threads. A stop that waited for one of them would return after 2 s with nothing stopped.
 [Collection(nameof(Alone))]
 public sealed partial class StarvedStopTests : IDisposable
 {
@@ -118,7 +118,7 @@ public sealed partial class StarvedStopTests : IDisposable
         {
             var leaving = new Thread(() =>
             {
-                Thread.Sleep(100); // for the stop to find the report being made
+                Thread.Sleep(100); // so that the stop finds the report in progress
                 leave.Release();
             });
             leaving.Start();

@@ -2,7 +2,7 @@ using NeuronMocap.Transport;
 
 namespace NeuronMocap.Tests.Reader;
 
-// The way of waiting without a thread, which only this target has.
+// Waiting without a thread, which only this target supports.
 public sealed partial class StarvedStopTests
 {
     [Fact]

@@ -30,15 +30,15 @@ public enum Stopping
     PumpHandler,
 }
 
-// Starts that are stopped after 0 to 50 ms, in every situation, in every way: 52 times 51 of them. Alone, because sockets and threads of the
-// whole process are counted.
+// Starts that are stopped after 0 to 50 ms, in every situation and every way: 52 times 51 of them. Alone, because it counts sockets and threads of
+// the whole process.
 [Collection(nameof(Alone))]
 public sealed partial class StopSweepTests(ITestOutputHelper output)
 {
     private const int MaxDelay = 50;
     private const int AtATime = 17;
 
-    // Of a stop that waits for something in vain.
+    // The timeout of a stop that waits in vain.
     private static readonly TimeSpan StopTimeout = Limits.Unexpected;
 
     public static TheoryData<Situation, Stopping> All
@@ -85,7 +85,7 @@ public sealed partial class StopSweepTests(ITestOutputHelper output)
         await ProcessResources.AssertNoMoreAsync(sockets, threads);
     }
 
-    // What the readers of one situation find.
+    // The environment of the readers of one situation.
     private sealed class Surroundings(Situation situation, Func<TcpReceiver> takeReceiver) : IAsyncDisposable
     {
         private static readonly byte[] Frame = TestPackets.Motion(1);
@@ -120,7 +120,7 @@ public sealed partial class StopSweepTests(ITestOutputHelper output)
             return options.Transport == TransportKind.Udp ? new NeuronReader(options) : options.CreateReader(takeReceiver);
         }
 
-        // Frames, as fast as a test needs them.
+        // Sends frames as fast as a test needs them.
         public async Task SendDatagramsAsync(NeuronReader reader)
         {
             if (situation != Situation.UdpStreaming)
@@ -200,7 +200,7 @@ public sealed partial class StopSweepTests(ITestOutputHelper output)
         }
     }
 
-    // One start, and its end after a while; gives the longest time that a call of Dispose took.
+    // One start, and its end after a while. Returns the longest time of a call to Dispose.
     private sealed class Start(NeuronReader reader, Stopping stopping, int delay, Surroundings surroundings)
     {
         private readonly long _start = Stopwatch.GetTimestamp();
@@ -243,7 +243,7 @@ public sealed partial class StopSweepTests(ITestOutputHelper output)
             }
             catch (OperationCanceledException)
             {
-                // As it should where no connection stands in time.
+                // Expected if no connection opens in time.
             }
         }
 

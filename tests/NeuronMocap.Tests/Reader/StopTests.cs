@@ -3,7 +3,7 @@ using NeuronMocap.Tests.Network;
 
 namespace NeuronMocap.Tests.Reader;
 
-// Disposing must end the reader in every state. Completion is set after the last thread of the reader has left its loop.
+// Dispose must end the reader in every state. Completion is set after the last thread of the reader has left its loop.
 public sealed class StopTests
 {
     [Fact]

@@ -5,7 +5,7 @@ using NeuronMocap.Tests.Network;
 
 namespace NeuronMocap.Tests.Reader;
 
-// What the reader finds out about a stream by itself, and how it says so.
+// What the reader detects about a stream, and how it reports it.
 public sealed class StreamFormatTests
 {
     public static TheoryData<string, StreamFormat, string> Streams => new()
@@ -137,7 +137,7 @@ public sealed class StreamFormatTests
     [Fact]
     public async Task Datagrams_that_begin_within_a_line_are_recognised()
     {
-        // A pause of a busy machine between two datagrams is no silence.
+        // A pause of a busy machine between two datagrams must not count as silence.
         NeuronReaderOptions options = new() { Transport = TransportKind.Udp, LocalAddress = IPAddress.Loopback, Port = 0, SilenceTimeout = TimeSpan.FromSeconds(2) };
         await using var reader = new NeuronReader(options);
         var log = new StatusLog(reader);
@@ -172,7 +172,7 @@ public sealed class StreamFormatTests
         sender.Connect(reader.Status.LocalEndPoint!);
         for (int frame = 0; frame < 6; frame++)
         {
-            // Each line begins a datagram of its own; of the third one the last piece is lost.
+            // Each line starts in a new datagram. The last piece of the third line is lost.
             byte[][] pieces = [.. TestPackets.Line(frame, lead: lead).Chunk(1024)];
             foreach (byte[] piece in frame == 2 ? pieces[..^1] : pieces)
                 sender.Send(piece);
@@ -197,7 +197,7 @@ public sealed class StreamFormatTests
         byte[] line = TestPackets.Line(1, count: 126);
         await connection.SendAsync(line);
 
-        // On a busy machine the connection may be silent before the line arrives.
+        // On a busy machine, the connection may be silent before the line arrives.
         ConnectionStatus status = await log.WaitAsync(static status => status is { State: ConnectionState.Silent, Reason: ConnectionReason.UnknownFormat });
         Assert.Contains("180, 186, 354 or 360", status.Message, StringComparison.Ordinal);
         Assert.Contains("set Skeleton to", status.Message, StringComparison.Ordinal);
@@ -218,7 +218,7 @@ public sealed class StreamFormatTests
         using TestConnection connection = await server.AcceptAsync();
         await connection.SendAsync(TestPackets.Join(Encoding.ASCII.GetBytes(rest), TestPackets.Line(1, lead: "0 Char 02 ")));
 
-        // On a busy machine the connection may be silent before the line arrives.
+        // On a busy machine, the connection may be silent before the line arrives.
         ConnectionStatus status = await log.WaitAsync(static status => status is { State: ConnectionState.Silent, Reason: ConnectionReason.UnknownFormat });
         Assert.Contains("the avatar's name has spaces and numbers", status.Message, StringComparison.Ordinal);
         Assert.Contains("Rename the avatar", status.Message, StringComparison.Ordinal);

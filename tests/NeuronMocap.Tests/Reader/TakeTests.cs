@@ -8,7 +8,7 @@ namespace NeuronMocap.Tests.Reader;
 // A take, broadcast and received over real TCP: every frame, every float.
 public class TakeTests
 {
-    /// <summary>A recorded take, where a class derives from this one.</summary>
+    /// <summary>Loads the take. Derived classes load a recorded take.</summary>
     internal virtual BvhDocument Load() => BvhDocument.Parse(NeuronTake.Write(600));
 
     [Theory]
@@ -31,7 +31,7 @@ public class TakeTests
         });
         broadcaster.Start();
 
-        // The file's rows are what a packet without displacement carries, in the same order.
+        // The file's rows are the values of packets without displacement, in the same order.
         int row = 0;
         await using NeuronReader reader = Connect(broadcaster);
         reader.MotionReceived += frame =>

@@ -4,7 +4,7 @@ using NeuronMocap.Tests.Network;
 
 namespace NeuronMocap.Tests.Reader;
 
-/// <summary>A handler that throws is not silent, also where nobody asked to be told.</summary>
+/// <summary>The exception of a handler is traced even if the program listens to no event.</summary>
 public sealed class TracedFailureTests
 {
     [Theory]
@@ -68,7 +68,7 @@ public sealed class TracedFailureTests
         }
     }
 
-    // Other tests trace, too.
+    // Other tests trace too.
     private sealed class Listener(string name) : TraceListener
     {
         public ConcurrentQueue<string> Lines { get; } = [];

@@ -5,10 +5,10 @@ using NeuronMocap.Tests.Network;
 
 namespace NeuronMocap.Tests.Reader;
 
-// What networks do to datagrams, and what the counters say of it.
+// The effects of networks on datagrams, and the resulting counters.
 public sealed class UdpFaultTests
 {
-    // A datagram is a number, the frame, with a for its first 1024 bytes, b for the rest, nothing for all of it.
+    // A datagram is written as its frame number. The suffix a stands for its first 1024 bytes, b for the rest, no suffix for all of it.
     [Theory]
     [InlineData("0 2 1 3", "0 2 1 3", 0, 0, 1)]
     [InlineData("0 0 1 1 2", "0 0 1 1 2", 0, 0, 2)]
@@ -63,7 +63,8 @@ public sealed class UdpFaultTests
     {
         const int Senders = 60;
 
-        // A sender that is silent for a quarter of a second has been replaced by another. On a busy computer each may be: then it is tried again.
+        // A sender that is silent for a quarter of a second counts as replaced. On a busy computer that may happen at any time, so the test then
+        // tries again.
         for (int attempt = 0; attempt < 20; attempt++)
         {
             await using UdpEnd end = await UdpEnd.StartAsync();

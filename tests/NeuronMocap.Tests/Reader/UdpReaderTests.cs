@@ -74,7 +74,7 @@ public sealed class UdpReaderTests
         await using NeuronReader reader = await StartAsync();
         using var other = new Socket(AddressFamily.InterNetwork, SocketType.Dgram, ProtocolType.Udp) { ReceiveBufferSize = 4 * 1024 * 1024 };
 
-        // Linux tells twice what it grants.
+        // Linux reports twice the granted size.
         Assert.Equal(OperatingSystem.IsLinux() ? other.ReceiveBufferSize / 2 : other.ReceiveBufferSize, reader.Status.ReceiveBufferSize);
         if (File.Exists("/proc/sys/net/core/rmem_max"))
         {

@@ -6,7 +6,7 @@ using NeuronMocap.Tests.Network;
 
 namespace NeuronMocap.Tests.Reader;
 
-// A server that is stopped and started again sends from another port of its address.
+// A restarted server sends from another port of its address.
 public sealed class UdpRestartTests : IDisposable
 {
     // The first index of frames that no server sent.
@@ -20,7 +20,7 @@ public sealed class UdpRestartTests : IDisposable
 
     public void Dispose() => _folder.Delete(recursive: true);
 
-    // Of the second run's index nothing follows: it may be a little lower than the last one, as that of a late frame is.
+    // Nothing follows from the index of the second run: it may be slightly lower than the last one, like that of a late frame.
     [Theory]
     [InlineData(240, 240)]
     [InlineData(30, 30)]
@@ -39,7 +39,7 @@ public sealed class UdpRestartTests : IDisposable
         Assert.Equal((0, before + after, 1L, 0L, 0L), (avatar.Sender, avatar.Frames, avatar.Restarts, avatar.Lost, avatar.OutOfOrder));
     }
 
-    // Whether the stop comes before or after the wait for the old port's silence.
+    // The stop may come before or after the wait for the old port's silence.
     [Fact]
     public async Task Waiting_frames_are_counted_when_the_reader_stops()
     {
@@ -141,9 +141,8 @@ public sealed class UdpRestartTests : IDisposable
         Assert.Equal(0, Assert.Single(end.Reader.GetAvatarStatistics()).Sender);
     }
 
-    // A playback's first frame stands at the time of its own, not of the one that made known whose it is. The second
-    // one is handed out when the first port has been silent for a quarter of a second. On a busy computer it may arrive later than that, and waits
-    // for nothing: then it is tried again.
+    // The first frame of a playback has its own time, not that of the frame that identified its sender. The second frame is delivered when the first
+    // port has been silent for a quarter of a second. On a busy computer it may arrive later and then not wait; the test then tries again.
     [Fact]
     public async Task Delayed_frames_keep_their_arrival_time()
     {
@@ -166,7 +165,7 @@ public sealed class UdpRestartTests : IDisposable
         Assert.Fail("Every frame has a time at which it was handed out.");
     }
 
-    // A busy computer makes pauses of its own, which are a server's silence to the reader: then it is tried again.
+    // A busy computer causes pauses, which the reader sees as a server's silence. The test then tries again.
     private static async Task WithoutPausesAsync(Func<UdpEnd, Pauses, Task> test)
     {
         for (int attempt = 0; attempt < 20; attempt++)
@@ -189,7 +188,7 @@ public sealed class UdpRestartTests : IDisposable
             await end.SendAsync(server, TestPackets.Motion(i));
     }
 
-    // Whether servers whose frames come in turn left out more than an eighth of a second: each of the two then half of what makes it silent.
+    // Whether servers that send in turn paused for more than an eighth of a second: half of the silence that counts for each of the two.
     private sealed class Pauses
     {
         private long _last;

@@ -53,7 +53,7 @@ public sealed class UdpSenderTests
         await end.SendAsync(allowed, TestPackets.Motion(1));
         await log.WaitAsync(ConnectionState.Receiving);
 
-        // Then nobody sends, which is another matter.
+        // Then there is no sender, which is another state.
         await log.WaitAsync(status => status is { State: ConnectionState.Silent, Reason: ConnectionReason.NoData });
     }
 
@@ -116,7 +116,7 @@ public sealed class UdpSenderTests
     }
 }
 
-// Alone, because the memory of the whole process is measured.
+// Alone, because it measures the memory of the whole process.
 [Collection(nameof(Alone))]
 public sealed class UdpFloodTests
 {
@@ -149,13 +149,13 @@ public sealed class UdpFloodTests
             await end.SendAsync(real, TestPackets.Motion(i).AsMemory(1024));
         }
 
-        // The real one sends before the flood has taken all places, and keeps its own.
+        // The real sender sends before the flood has taken all places, and keeps its place.
         const int Frames = Forged / 25;
         await end.DrainedAsync();
         await end.Reader.UntilAsync(_ => end.Reader.GetAvatarStatistics().Any(avatar => avatar.Frames == Frames));
         heap = ProcessResources.LiveHeap() - heap;
 
-        // 64 assemblers of 4 KiB are what there is room for.
+        // There is room for 64 assemblers of 4 KiB.
         Assert.InRange(heap, long.MinValue, 1_000_000);
         Assert.InRange(end.Reader.GetStatistics().BytesSkipped, 1024 * ((Forged / 2) - UdpSenders.Limit), 1504 * Forged);
     }

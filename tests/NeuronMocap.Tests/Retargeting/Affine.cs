@@ -2,7 +2,7 @@ using System.Numerics;
 
 namespace NeuronMocap.Tests.Retargeting;
 
-/// <summary>A 4x4 matrix on column vectors in double precision: what the library's quaternions and vectors are compared with.</summary>
+/// <summary>A 4x4 matrix on column vectors in double precision, for comparison with the library's quaternions and vectors.</summary>
 internal sealed class Affine
 {
     private readonly double[,] _cells;
@@ -11,7 +11,7 @@ internal sealed class Affine
 
     public static Affine Identity => Scaled(1, 1, 1);
 
-    /// <summary>X mirrored: from the library's axes to Unity's, and back.</summary>
+    /// <summary>Mirrors X: converts from the library's axes to Unity's, and back.</summary>
     public static Affine MirrorX => Scaled(-1, 1, 1);
 
     public double this[int row, int column] => _cells[row, column];
@@ -21,7 +21,7 @@ internal sealed class Affine
 
     public static Affine Scaled(Vector3 scale) => Scaled(scale.X, scale.Y, scale.Z);
 
-    /// <summary>Only the signs of a scale.</summary>
+    /// <summary>The signs of a scale.</summary>
     public static Affine Signs(Vector3 scale) => Scaled(scale.X < 0 ? -1 : 1, scale.Y < 0 ? -1 : 1, scale.Z < 0 ? -1 : 1);
 
     public static Affine Moved(double x, double y, double z) =>
@@ -29,7 +29,7 @@ internal sealed class Affine
 
     public static Affine Moved(Vector3 way) => Moved(way.X, way.Y, way.Z);
 
-    /// <summary>The rotation of a quaternion of any length: each column is where a unit vector goes by q v q*.</summary>
+    /// <summary>The rotation of a quaternion of any length. Each column is the image of a unit vector under q v q*.</summary>
     public static Affine Turned(Quaternion rotation)
     {
         (double x, double y, double z, double w) = (rotation.X, rotation.Y, rotation.Z, rotation.W);
@@ -129,13 +129,13 @@ internal sealed class Affine
         return new Affine(right);
     }
 
-    /// <summary>Where the origin goes.</summary>
+    /// <summary>The image of the origin.</summary>
     public double[] Place() => [_cells[0, 3], _cells[1, 3], _cells[2, 3]];
 
-    /// <summary>Where a point goes.</summary>
+    /// <summary>The image of a point.</summary>
     public double[] Place(double[] point) => (this * Moved(point[0], point[1], point[2])).Place();
 
-    /// <summary>The angle between two rotations, in radians; as exact for small ones.</summary>
+    /// <summary>The angle between two rotations, in radians. It is exact for small angles too.</summary>
     public double AngleTo(Affine other)
     {
         double sum = 0;
@@ -150,7 +150,7 @@ internal sealed class Affine
 
     public double AngleTo(Quaternion rotation) => AngleTo(Turned(rotation));
 
-    /// <summary>A part of a rotation, the shorter way.</summary>
+    /// <summary>A fraction of a rotation, along the shorter way.</summary>
     public Affine Part(double part)
     {
         double[] axis = [_cells[2, 1] - _cells[1, 2], _cells[0, 2] - _cells[2, 0], _cells[1, 0] - _cells[0, 1]];

@@ -16,7 +16,7 @@ public sealed class BoneWeightsTests
             SkeletonBody body = RandomPoses.Body(random);
             Bone?[] sources = ExpectedMap.Sources(character, body.Variant);
 
-            // Half a turn has two shorter ways: joints stay clear of it.
+            // Half a turn has two shorter ways, so joints stay clear of it.
             BoneTransform[] pose = RandomPoses.Pose(random, mostDegrees: 25);
             var options = new RetargetOptions();
             float[] weights = new float[character.Nodes.Length];
@@ -60,7 +60,7 @@ public sealed class BoneWeightsTests
         }
     }
 
-    // Whatever the actor's body does, the arms are to the chest as the actor's are.
+    // Whatever the actor's body does, the arms keep the actor's pose relative to the chest.
     [Fact]
     public void A_mask_of_the_arms_is_relative_to_the_chest()
     {

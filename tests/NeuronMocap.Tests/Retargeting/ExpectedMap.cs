@@ -3,7 +3,7 @@ using NeuronMocap.Skeleton;
 
 namespace NeuronMocap.Tests.Retargeting;
 
-/// <summary>The map from Humanoid bones to those of the stream, written out.</summary>
+/// <summary>The full map from Humanoid bones to bones of the stream.</summary>
 internal static class ExpectedMap
 {
     private static readonly string[] Lines =
@@ -25,7 +25,7 @@ internal static class ExpectedMap
         "RightLittleProximal RightHandPinky1", "RightLittleIntermediate RightHandPinky2", "RightLittleDistal RightHandPinky3",
     ];
 
-    // What the bones of the trunk follow: variant, whether there is a chest, an upper chest; then spine, chest, upper chest.
+    // The sources of the trunk: variant, whether there is a chest and an upper chest; then the sources of spine, chest and upper chest.
     private static readonly (SkeletonVariant Variant, bool Chest, bool UpperChest, Bone[] Sources)[] Trunks =
     [
         (SkeletonVariant.Neck1, false, false, [Bone.Spine2]),

@@ -5,7 +5,7 @@ using NeuronMocap.Skeleton;
 
 namespace NeuronMocap.Tests.Retargeting;
 
-// What changes under feet that stand: the ground, and the clock.
+// Changes of the ground and the clock under planted feet.
 public sealed class FootGroundTests
 {
     private const double Rate = 60;
@@ -49,7 +49,7 @@ public sealed class FootGroundTests
         Assert.True(walk.LargestSlide(planted: true) < FootWalk.Still);
         Assert.True(walk.MaxHipsShift < 0.01f, $"{walk.MaxHipsShift}");
 
-        // Half a metre above a ground that is set they stand on something else.
+        // Half a metre above a fixed ground, the feet stand on something else.
         FootWalk raised = FootWalk.OfActor(new StandingRig().Create(), Rate, 8, options: new RetargetOptions { HeightOffset = 0.5f });
         Assert.True(raised.LargestSlide(planted: true) < FootWalk.Still && raised.MaxHipsShift < 0.01f, raised.Describe("Raised"));
     }
@@ -65,7 +65,7 @@ public sealed class FootGroundTests
             AssertStandsAt(height);
         }
 
-        // Not onto a table.
+        // Feet do not move onto a table.
         _planter.Options.GroundHeight = 1;
         Stand(time, 3);
         AssertStandsAt(0);
@@ -94,7 +94,7 @@ public sealed class FootGroundTests
         AssertStandsAt(0.03f);
     }
 
-    // A program that stalls shows none of the frames of a whole step, and the contact looks unbroken.
+    // A program that stalls may miss all frames of a step, so that the contact seems uninterrupted.
     [Theory]
     [InlineData(0.4)]
     [InlineData(0.9)]
@@ -113,7 +113,7 @@ public sealed class FootGroundTests
                 (Vector3 left, Vector3 right) = Plant(actor, frame);
                 Assert.Equal(actor.GetFootContacts(frame), _planter.Planted);
 
-                // What is no farther still stands.
+                // At or below the limit, the foot still stands.
                 float longest = 0.1f * _rig.LegLength;
                 Assert.InRange((Place(HumanoidBone.LeftFoot) - left).Length(), 0, longest);
                 Assert.InRange((Place(HumanoidBone.RightFoot) - right).Length(), 0, longest);
@@ -141,7 +141,7 @@ public sealed class FootGroundTests
         Assert.Equal(height, _planter.HipsShift, 3e-3f);
     }
 
-    // Where the feet are without planting.
+    // The positions of the feet without planting.
     private (Vector3 Left, Vector3 Right) Plant(SyntheticSource actor, int frame)
     {
         BoneTransform[] source = new BoneTransform[BoneHierarchy.BoneCount];

@@ -29,7 +29,7 @@ public sealed class FootPlanterTests
             slide = Math.Max(slide, walk.LargestSlide(planted: false));
         }
 
-        // The false friend: without planting the same walks slide.
+        // A control: without planting, the same walks slide.
         Assert.True(slide > 0.015f, $"{slide} m");
     }
 
@@ -57,7 +57,7 @@ public sealed class FootPlanterTests
     [InlineData(72, 144)]
     public void The_frame_rate_does_not_matter(int rate, int other)
     {
-        // Both see the contacts that the slower one sees.
+        // Both runs use the contacts of the slower one.
         TargetRig rig = StandingRig.Random(new Random(5)).Create();
         var actor = new SyntheticSource(other);
         int stride = other / rate;
@@ -95,7 +95,7 @@ public sealed class FootPlanterTests
     [InlineData(1, 0, 0, 90)]
     public void A_character_turned_in_its_root_stands_on_its_own_ground(float x, float y, float z, float degrees)
     {
-        // About its root, so that its soles are still at the root's height, whichever way that is.
+        // Turned about its root, so that its soles are still at the root's height, whatever direction that is.
         StandingRig rig = new StandingRig(0.5f, 0.38f, 0.1f, 0.3f, 0.3f).WithAxes(new Random(2));
         var turn = Quaternion.CreateFromAxisAngle(new Vector3(x, y, z), degrees * MathF.PI / 180);
         rig.Turn(HumanoidBone.Hips, new Vector3(x, y, z), degrees).Move(HumanoidBone.Hips, Vector3.Transform(rig.At(HumanoidBone.Hips), turn) - rig.At(HumanoidBone.Hips));
@@ -154,7 +154,7 @@ public sealed class FootPlanterTests
         SkeletonBody.GetDefault().CopyRestPose(pose);
         for (int frame = 0; frame < 180; frame++)
         {
-            // Slides away at a metre a second while both feet are said to stand.
+            // The feet slide away at a metre a second while both contacts are reported.
             pose[0] = pose[0] with { Position = pose[0].Position + new Vector3(0, 0, 100f / 60) };
             walk.Add(pose, new FootContacts(Left: true, Right: true));
         }
@@ -174,7 +174,7 @@ public sealed class FootPlanterTests
         SkeletonBody.GetDefault().CopyRestPose(pose);
         for (int frame = 0; frame < 60; frame++)
         {
-            // The heel comes off while the foot is said to stand.
+            // The heel rises while the contact is reported.
             pose[(int)Bone.LeftFoot] = pose[(int)Bone.LeftFoot] with { Rotation = Quaternion.CreateFromAxisAngle(Vector3.UnitX, Math.Max(0, frame - 20) * 0.02f) };
             walk.Add(pose, new FootContacts(Left: true, Right: true));
             Assert.True(walk.Pose.WorldPositions[rig.GetNode(HumanoidBone.LeftToes)].Y > 0.018f, $"Frame {frame}");

@@ -5,10 +5,10 @@ using NeuronMocap.Skeleton;
 
 namespace NeuronMocap.Tests.Retargeting;
 
-/// <summary>A performance on a rig, with its feet planted and, beside it, without: where the ankles were, frame by frame.</summary>
+/// <summary>A performance on a rig with and without foot planting: the positions of the ankles, frame by frame.</summary>
 internal sealed class FootWalk
 {
-    /// <summary>A planted foot may move by five millimetres; what it moves by is what floats round off.</summary>
+    /// <summary>The distance that a planted foot may move, half a millimetre, because of rounding.</summary>
     public const float Still = 0.0005f;
 
     private readonly List<FootContacts> _contacts = [];
@@ -41,15 +41,15 @@ internal sealed class FootWalk
 
     public float MaxHipsShift { get; private set; }
 
-    /// <summary>The least that a knee was in front of the line from hip to ankle; metres, negative: behind it.</summary>
+    /// <summary>The least distance of a knee in front of the line from hip to ankle, in metres. Negative values are behind it.</summary>
     public float LeastKnee { get; private set; } = float.PositiveInfinity;
 
     public int FramesLetGo { get; private set; }
 
-    /// <summary>By how much faster a knee moves than without planting; metres a second.</summary>
+    /// <summary>The largest increase of a knee's speed by planting, in metres a second.</summary>
     public float LargestKneeSpeed { get; private set; }
 
-    /// <summary>By how much faster a foot turns than without planting; degrees a second.</summary>
+    /// <summary>The largest increase of a foot's turning speed by planting, in degrees a second.</summary>
     public float LargestTurn { get; private set; }
 
     public static FootWalk OfActor(TargetRig rig, double rate, double seconds, int avatar = 0, RetargetOptions? options = null, FootPlanterOptions? planting = null, Vector3 drift = default)
@@ -80,7 +80,7 @@ internal sealed class FootWalk
 
         Planter.Plant(Pose, contacts, Count / _rate);
 
-        // From what will be written to the transforms.
+        // From the values that are written to the transforms.
         Pose.UpdateWorld();
         for (int side = 0; side < 2; side++)
         {
@@ -101,14 +101,14 @@ internal sealed class FootWalk
 
     public Vector3 FreeAnkle(int side, int frame) => _free[side][frame];
 
-    /// <summary>The furthest that a foot went over the ground within a contact; a planted one, until it was let go.</summary>
+    /// <summary>The largest horizontal movement of a foot within a contact. For a planted foot, until its release.</summary>
     public float LargestSlide(bool planted) => Contacts(planted).Select(contact => Spread(contact, planted, new Vector3(1, 0, 1), 0)).DefaultIfEmpty().Max();
 
-    /// <summary>The furthest that a foot went in any direction within a contact, from a time after its beginning on.</summary>
+    /// <summary>The largest movement of a foot in any direction within a contact, from a time after its start.</summary>
     public float LargestMove(bool planted, double after) =>
         Contacts(planted).Select(contact => Spread(contact, planted, Vector3.One, (int)Math.Ceiling(after * _rate))).DefaultIfEmpty().Max();
 
-    /// <summary>By how much more a foot moves from one frame to the next than without planting, as a speed.</summary>
+    /// <summary>The largest increase of a foot's movement between frames by planting, as a speed.</summary>
     public float LargestAddedSpeed()
     {
         float largest = 0;
@@ -130,7 +130,7 @@ internal sealed class FootWalk
             .Select(frame => Vector3.Distance(_planted[side][frame], other._planted[side][frame * stride])))
         .Max();
 
-    /// <summary>All figures in a line, for the output and for what an assertion says.</summary>
+    /// <summary>All figures in a line, for the output and for assertion messages.</summary>
     public string Describe(string name)
     {
         string figures = FormattableString.Invariant(
@@ -171,7 +171,7 @@ internal sealed class FootWalk
 
     private int KneeNode(int side) => Rig.GetNode(HumanoidBone.LeftLowerLeg + side);
 
-    // A point that moves as the foot turns.
+    // A point that moves when the foot turns.
     private Vector3 TipOf(int side) =>
         Vector3.Transform(Vector3.UnitZ, Pose.WorldRotations[_feet[side]] * Quaternion.Conjugate(Rig.RestRotations[_feet[side]]));
 
@@ -187,7 +187,7 @@ internal sealed class FootWalk
         return Vector3.Dot(knee, Vector3.Normalize(ahead));
     }
 
-    // Where a point is with planting and without, and how much further it goes from one frame to the next with it.
+    // The positions of a point with and without planting, and the added movement from one frame to the next.
     private sealed class Track
     {
         private (Vector3 Planted, Vector3 Free)? _last;

@@ -3,7 +3,7 @@ using NeuronMocap.Skeleton;
 
 namespace NeuronMocap.Tests.Retargeting;
 
-/// <summary>Poses of the stream and bodies that no actor has.</summary>
+/// <summary>Random poses and bodies, more extreme than those of any actor.</summary>
 internal static class RandomPoses
 {
     /// <summary>Any rotation.</summary>
@@ -16,7 +16,9 @@ internal static class RandomPoses
 
     public static Vector3 Direction(Random random) => Vector3.Transform(Vector3.UnitX, Turn(random));
 
-    /// <summary>Every joint turned as it likes, the hips up to two metres from the origin; positions of bones as with displacement.</summary>
+    /// <summary>
+    /// A pose with every joint turned at random, the hips up to two metres from the origin, and bone positions as with displacement.
+    /// </summary>
     public static BoneTransform[] Pose(Random random, float mostDegrees = 180)
     {
         BoneTransform[] pose = new BoneTransform[BoneHierarchy.BoneCount];
@@ -32,7 +34,7 @@ internal static class RandomPoses
         return pose;
     }
 
-    /// <summary>A body at rest of any sizes, its hips wherever its hierarchy has put them.</summary>
+    /// <summary>A body at rest with random sizes, and its hips at any position.</summary>
     public static SkeletonBody Body(Random random)
     {
         SkeletonVariant variant = random.Next(2) == 0 ? SkeletonVariant.Neck1 : SkeletonVariant.Spine3;

@@ -7,19 +7,19 @@ internal enum RigScales
 {
     None,
 
-    /// <summary>Components that are negative.</summary>
+    /// <summary>Negative components.</summary>
     Signs,
 
     /// <summary>The same along all axes, and an armature in centimetres or inches.</summary>
     Uniform,
 
-    /// <summary>Different from axis to axis, above nodes that are turned: the rig is sheared.</summary>
+    /// <summary>Different between axes, above turned nodes, so that the rig is sheared.</summary>
     Sheared,
 }
 
 /// <summary>
-/// Characters with any rest pose: proportions, rotations, order of the nodes, bones that are there, nodes between and above them. What differs
-/// follows from the seed.
+/// Characters with any rest pose: proportions, rotations, order of the nodes, existing bones, nodes between and above them. The differences follow
+/// from the seed.
 /// </summary>
 internal sealed class RandomRig
 {
@@ -50,7 +50,7 @@ internal sealed class RandomRig
 
     public TargetRig Create() => TargetRig.CreateHumanoid(Nodes, NodeOf, Facing);
 
-    // One time in four even required bones are missing.
+    // In one of four rigs, even required bones are missing.
     private HumanoidBoneSet SomeBones()
     {
         bool complete = _random.Next(4) != 0;

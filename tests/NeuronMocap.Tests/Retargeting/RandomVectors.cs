@@ -8,7 +8,7 @@ internal static class RandomVectors
 
     public static Vector3 InBox(this Random random, float half) => new(random.Range(-half, half), random.Range(-half, half), random.Range(-half, half));
 
-    // Equally likely in every direction: a point of a cube that happens to lie in the ball.
+    // Equally likely in every direction: a point of a cube that is inside the ball.
     public static Vector3 Direction(this Random random)
     {
         Vector3 point;

@@ -5,8 +5,8 @@ using NeuronMocap.Skeleton;
 namespace NeuronMocap.Tests.Retargeting;
 
 /// <summary>
-/// Retargeting by matrices in double precision, in the world: each bone's rotation at rest times the actor's turn, then back to local rotations
-/// through the real hierarchy. Nothing here is shared with the library, in which every step is a quaternion relative to the parent.
+/// Retargets with matrices in double precision, in the world. Each bone's rest rotation is multiplied by the actor's turn and converted back to local
+/// rotations through the real hierarchy. It shares no code with the library, which works with quaternions relative to the parent.
 /// </summary>
 internal sealed class ReferenceRetargeter
 {
@@ -35,7 +35,7 @@ internal sealed class ReferenceRetargeter
 
     public double[][] RestPlaces { get; }
 
-    /// <summary>Of each node, after <see cref="Retarget"/>.</summary>
+    /// <summary>The local rotation of each node, after <see cref="Retarget"/>.</summary>
     public Affine[] LocalTurns { get; private set; } = [];
 
     public Affine[] WorldTurns { get; private set; } = [];
@@ -44,7 +44,7 @@ internal sealed class ReferenceRetargeter
 
     public double[] HipsLocalPlace { get; private set; } = [];
 
-    /// <summary>The actor's turns in the world, in Unity's axes.</summary>
+    /// <summary>Returns the actor's world turns in Unity's axes.</summary>
     public static Affine[] SourceTurns(BoneTransform[] pose, SkeletonVariant variant, BoneTransform? reference = null)
     {
         Affine[] turns = new Affine[pose.Length];
@@ -59,7 +59,7 @@ internal sealed class ReferenceRetargeter
         return [.. turns.Select(turn => Affine.MirrorX * turn * Affine.MirrorX)];
     }
 
-    /// <summary>Retargets one pose; the weights are those of the nodes.</summary>
+    /// <summary>Retargets one pose. The weights are those of the nodes.</summary>
     public void Retarget(BoneTransform[] pose, SkeletonBody body, BoneTransform? reference = null, float[]? weights = null)
     {
         Affine?[] source = NodeTurns(SourceTurns(pose, body.Variant, reference), weights);
@@ -78,10 +78,10 @@ internal sealed class ReferenceRetargeter
         MoveHips(pose, body, reference, weights?[_hips] ?? 1);
     }
 
-    /// <summary>Places from any local values: those of the library, for one.</summary>
+    /// <summary>Returns positions for any local values, such as those of the library.</summary>
     public double[][] PlacesOf(Affine[] localTurns, double[] hipsLocalPlace) => [.. Matrices(localTurns, hipsLocalPlace).Select(matrix => matrix.Place())];
 
-    // Height of the hips above the lowest point of the body with all rotations zero.
+    // Height of the hips above the lowest point of the body, with all rotations zero.
     private static double HeightOf(SkeletonBody body)
     {
         double[] heights = new double[BoneHierarchy.BoneCount];
@@ -91,7 +91,7 @@ internal sealed class ReferenceRetargeter
             if (BoneHierarchy.GetParent(bone, body.Variant) is { } parent)
                 heights[(int)bone] = heights[(int)parent] + body.Offsets[(int)bone].Y;
 
-            // End Sites of bones that have none are zero.
+            // Bones without an End Site have zero.
             lowest = Math.Min(lowest, heights[(int)bone] + Math.Min(0, body.EndSites[(int)bone].Y));
         }
 
@@ -100,7 +100,7 @@ internal sealed class ReferenceRetargeter
 
     private static double Length(Vector3 way) => Math.Sqrt(((double)way.X * way.X) + ((double)way.Y * way.Y) + ((double)way.Z * way.Z));
 
-    // The turn that each mapped node takes over: that of the mapped node above it, and a part of the joint's between them.
+    // The turn of each mapped node: that of the mapped node above it, and a fraction of the joint's turn between them.
     private Affine?[] NodeTurns(Affine[] source, float[]? weights)
     {
         Affine?[] turns = new Affine[_nodes.Length];
@@ -155,7 +155,7 @@ internal sealed class ReferenceRetargeter
     private double Distance(int from, int to) =>
         Math.Sqrt(RestPlaces[from].Zip(RestPlaces[to], (a, b) => (a - b) * (a - b)).Sum());
 
-    // Unity's convention: what hangs from a negative scale turns the other way about the axes that keep their direction.
+    // Unity's convention: below a negative scale, nodes turn the other way about the axes that keep their direction.
     private Affine[] SignsAbove()
     {
         Affine[] signs = new Affine[_nodes.Length];

@@ -13,7 +13,7 @@ internal static class RetargetAssert
         return result;
     }
 
-    // The second may have nodes above the first's.
+    // The second rig may have additional nodes above those of the first.
     public static void AssertAlike(RetargetedPose expected, RetargetedPose actual, int above = 1)
     {
         AssertNear(expected.HipsLocalPosition, actual.HipsLocalPosition, 1e-5f);

@@ -18,7 +18,7 @@ public sealed class RetargetedPoseTests
         AssertRest(pose);
     }
 
-    // What corrects legs turns one node after the other in the world, and reads where the rest has gone.
+    // Corrections of legs turn one node after the other in the world, and read the resulting positions.
     [Fact]
     public void Turning_a_node_moves_its_descendants()
     {

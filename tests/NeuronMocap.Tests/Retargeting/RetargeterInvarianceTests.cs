@@ -5,12 +5,12 @@ using static NeuronMocap.Tests.Retargeting.RetargetAssert;
 
 namespace NeuronMocap.Tests.Retargeting;
 
-// What makes no difference to the character: how its armature was exported, its side, the naming of the spine.
+// Differences that must not affect the character: the export of its armature, its side, the naming of the spine.
 public sealed class RetargeterInvarianceTests
 {
     private static readonly Quaternion[] QuarterTurns = [.. AllQuarterTurns()];
 
-    // Which way an armature was exported makes no difference to what is inside.
+    // The orientation of an exported armature must not affect its content.
     [Fact]
     public void A_root_rotation_does_not_change_the_motion()
     {
@@ -44,7 +44,7 @@ public sealed class RetargeterInvarianceTests
         AssertNear(new Vector3(0, -0.5f, 0), arm, 1e-5f);
     }
 
-    // The same character, drawn inside a mirror that mirrors it back; and one in centimetres.
+    // The same character inside a mirror that mirrors it back, and a character in centimetres.
     [Theory]
     [InlineData(-1, 1, 1)]
     [InlineData(1, 1, -1)]
@@ -98,7 +98,7 @@ public sealed class RetargeterInvarianceTests
         }
     }
 
-    // One motion in both namings of the spine: Spine3 has a bone more in the spine, Neck1 one more in the neck.
+    // One motion in both namings of the spine. Spine3 has another bone in the spine, Neck1 another in the neck.
     [Fact]
     public void Both_variants_of_a_motion_move_the_character_alike()
     {

@@ -4,7 +4,7 @@ using NeuronMocap.Skeleton;
 
 namespace NeuronMocap.Tests.Retargeting;
 
-// Thousands of characters and actors that have nothing in common.
+// Thousands of characters and actors without anything in common.
 public sealed class RetargeterReferenceTests
 {
     private const double MostRadians = 1e-5;
@@ -35,7 +35,7 @@ public sealed class RetargeterReferenceTests
         }
     }
 
-    // The sentence that everything else follows from, without a hierarchy: away from its rest rotation, a bone is turned as the actor's.
+    // The basic rule, without a hierarchy: a bone turns away from its rest rotation as the actor's bone does.
     [Fact]
     public void Every_mapped_bone_has_the_actors_world_rotation()
     {

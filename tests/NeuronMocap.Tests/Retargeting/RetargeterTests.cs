@@ -41,7 +41,7 @@ public sealed class RetargeterTests
         }
     }
 
-    // The bone is gone from the map, not from the character: its rotation has to arrive at those that hang from it.
+    // The bone is missing from the map, not from the character, so its rotation must reach its descendants.
     [Theory]
     [InlineData(HumanoidBone.UpperChest)]
     [InlineData(HumanoidBone.UpperChest, HumanoidBone.Chest)]
@@ -62,7 +62,7 @@ public sealed class RetargeterTests
             other.UpdateWorld();
             foreach (HumanoidBone bone in TestRigs.Order)
             {
-                // The topmost bone of the trunk stands for those above it too.
+                // The topmost bone of the trunk also stands for the missing bones above it.
                 int node = lacking.GetNode(bone);
                 if (node >= 0 && bone is not (HumanoidBone.Spine or HumanoidBone.Chest) && !IsRest(bone))
                     AssertTurn(one.WorldRotations[node], other.WorldRotations[node], 3e-6, $"{bone}, {variant}");
@@ -87,11 +87,11 @@ public sealed class RetargeterTests
         Quaternion twist = RandomPoses.Turn(new Random(3));
         var back = Quaternion.Conjugate(twist);
 
-        // At the end of the list, so the hand has to move behind it.
+        // It is at the end of the list, so the hand must move after it.
         nodes = [.. nodes, new RigNode("Twist", forearm, nodes[hand].Position / 2, twist), nodes[hand] with { Parent = nodes.Length, Rotation = back }];
         nodeByBone[(int)HumanoidBone.LeftHand] = nodes.Length - 1;
 
-        // One that is a bone without a source is no different.
+        // A node that is a bone without a source makes no difference.
         nodeByBone[(int)HumanoidBone.Jaw] = nodes.Length - 2;
         foreach (HumanoidBone bone in TestRigs.Order.Where(bone => HumanoidBones.GetPart(bone) == BodyParts.LeftFingers))
             nodeByBone[(int)bone] = -1;
@@ -124,7 +124,7 @@ public sealed class RetargeterTests
         AssertAlike(expected, result, 0);
     }
 
-    // Quaternions that are recorded or blended number by number must not change their sign from frame to frame.
+    // Quaternions that are recorded or blended by component must not change their sign from frame to frame.
     [Fact]
     public void Rotations_stay_in_one_hemisphere()
     {
@@ -138,7 +138,7 @@ public sealed class RetargeterTests
             Quaternion[] before = result.LocalRotations.ToArray();
             for (int degrees = 0; degrees < 750; degrees += 5)
             {
-                // Whatever sign they arrive with.
+                // Quaternions may arrive with either sign.
                 BoneTransform[] pose =
                 [
                     .. axes.Select(axis => new BoneTransform(

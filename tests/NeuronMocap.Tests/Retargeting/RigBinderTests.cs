@@ -56,7 +56,7 @@ public sealed class RigBinderTests
         Assert.DoesNotContain(bone, binding.Missing);
     }
 
-    // Bones of well-known kinds of rigs: how many of the 59 they have.
+    // Bone names of well-known kinds of rigs, and how many of the 59 bones they have.
     [Theory]
     [InlineData(21, "root pelvis spine_01 spine_02 spine_03 neck_01 head clavicle_l upperarm_l lowerarm_l hand_l clavicle_r upperarm_r lowerarm_r hand_r thigh_l calf_l foot_l thigh_r calf_r foot_r ball_r ik_foot_root ik_hand_gun twist_l index_01_l")]
     [InlineData(13, "J_Bip_C_Hips J_Bip_C_Spine J_Bip_C_Chest J_Bip_C_UpperChest J_Bip_C_Neck J_Bip_C_Head J_Bip_L_Shoulder J_Bip_L_UpperArm J_Bip_L_LowerArm J_Bip_L_Hand J_Bip_L_Index1 J_Bip_R_UpperLeg J_Bip_R_Foot J_Sec_L_Bust1 J_Bip_L_ToeBase")]

@@ -226,7 +226,7 @@ public sealed class RigValidatorTests
             if (random.Next(2) == 0)
                 rig.Turn(HumanoidBone.Hips, random.Direction(), random.Range(0, 180));
 
-            // Legs that cross, or feet that point backwards, look like another fault.
+            // Crossed legs or feet that point backwards look like another fault.
             if (Examine(rig).Any(issue => issue.Fault == RigFault.SidesSwapped))
                 continue;
 

@@ -41,7 +41,7 @@ public sealed class RootMotionTests
         }
     }
 
-    // A character that lies in its root, as Z-up files do: its ways lie, too.
+    // A character that lies in its root, as in Z-up files. Its root motion lies too.
     [Fact]
     public void Motion_and_offset_turn_with_the_character()
     {
@@ -64,7 +64,7 @@ public sealed class RootMotionTests
         AssertNear(nodes[0].Position + Way, HipsOf(TargetRig.CreateHumanoid(nodes, TestRigs.NodeOf()), new RetargetOptions()));
     }
 
-    // A hierarchy says anything of its hips; where the feet are says how high they stand.
+    // The hips of a hierarchy may be anywhere. The position of the feet shows how high they stand.
     [Theory]
     [InlineData(0)]
     [InlineData(93)]
@@ -119,7 +119,7 @@ public sealed class RootMotionTests
         Assert.Equal(expected, result.LocalRotations.ToArray());
     }
 
-    // Displacement is the actor's: the character keeps its own bones.
+    // Displacement belongs to the actor. The character keeps its own bones.
     [Fact]
     public void Only_the_hips_position_counts()
     {

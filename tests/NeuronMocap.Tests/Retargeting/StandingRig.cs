@@ -4,8 +4,8 @@ using NeuronMocap.Retargeting;
 namespace NeuronMocap.Tests.Retargeting;
 
 /// <summary>
-/// A figure in T-pose, in metres, with its soles at the root: every bone, no rotation but what is asked for. What it is made of may be changed
-/// until it is built.
+/// A figure in T-pose, in metres, with its soles at the root. It has every bone and, by default, no rotations. Its parts may be changed until it is
+/// built.
 /// </summary>
 internal sealed class StandingRig
 {
@@ -59,10 +59,10 @@ internal sealed class StandingRig
 
     public const float Ankle = 0.09f;
 
-    /// <summary>What the hips hang from, from the root down.</summary>
+    /// <summary>The ancestors of the hips, from the root down.</summary>
     public List<RigNode> Above { get; } = [];
 
-    /// <summary>Whether a node without a bone stands in the middle of every bone of arms and legs, and the next bone hangs from it.</summary>
+    /// <summary>Whether every bone of arms and legs has a node without a bone in its middle, as the parent of the next bone.</summary>
     public bool HasTwistNodes { get; set; }
 
     public Quaternion TwistAxes { get; set; } = Quaternion.Identity;
@@ -86,7 +86,7 @@ internal sealed class StandingRig
         return rig.WithAxes(random);
     }
 
-    /// <summary>Every bone's own axes turned as they like; nothing that one sees is.</summary>
+    /// <summary>Turns every bone's own axes at random. The visible figure stays the same.</summary>
     public StandingRig WithAxes(Random random)
     {
         foreach (HumanoidBone bone in _joints.Keys)
@@ -100,7 +100,7 @@ internal sealed class StandingRig
         return this;
     }
 
-    /// <summary>Turns a bone, and all that hangs from it, about its joint.</summary>
+    /// <summary>Turns a bone and its descendants about its joint.</summary>
     public StandingRig Turn(HumanoidBone bone, Vector3 axis, float degrees)
     {
         var turn = Quaternion.CreateFromAxisAngle(Vector3.Normalize(axis), degrees * MathF.PI / 180);
@@ -178,7 +178,7 @@ internal sealed class StandingRig
         return parent;
     }
 
-    // Uniform scales only.
+    // For uniform scales only.
     private readonly record struct Place(Vector3 Position, Quaternion Rotation, float Scale)
     {
         public static Place Identity => new(Vector3.Zero, Quaternion.Identity, 1);

@@ -40,7 +40,7 @@ public sealed class TargetRigTests
         Assert.Throws<ArgumentOutOfRangeException>(() => rig.GetNode((Bone)59));
     }
 
-    // From the T-pose alone, to quarter turns: exactly none for the many characters that stand as they should.
+    // From the T-pose alone, to quarter turns. It is exactly the identity for the many characters in the usual orientation.
     [Fact]
     public void The_facing_of_a_character_is_found()
     {
@@ -63,7 +63,7 @@ public sealed class TargetRigTests
         RigNode[] nodes = TestRigs.Under(new RigNode("Armature", -1, Vector3.Zero, between), TestRigs.HumanoidNodes());
         Assert.Equal(Quaternion.Identity, TargetRig.CreateHumanoid(nodes, TestRigs.Under(TestRigs.NodeOf())).Facing);
 
-        // Nothing but hips.
+        // Only hips.
         int[] nodeByBone = [.. Enumerable.Repeat(-1, HumanoidBones.Count)];
         nodeByBone[0] = 0;
         TargetRig lone = TargetRig.CreateHumanoid([new RigNode("Hips", -1, Vector3.UnitY, Quaternion.Identity)], nodeByBone);
@@ -88,7 +88,7 @@ public sealed class TargetRigTests
         nodes[0] = nodes[0] with { Scale = new Vector3(1.1f, -1.1f, 1.1f) };
         Assert.False(TargetRig.CreateHumanoid(nodes, TestRigs.NodeOf()).IsSheared);
 
-        // Nothing hangs from it.
+        // Without children.
         nodes[0] = nodes[0] with { Scale = Vector3.One };
         nodes[^1] = nodes[^1] with { Scale = new Vector3(1, 2, 3) };
         Assert.False(TargetRig.CreateHumanoid(nodes, TestRigs.NodeOf()).IsSheared);
@@ -97,15 +97,15 @@ public sealed class TargetRigTests
     [Fact]
     public void An_invalid_rig_is_refused()
     {
-        AssertRefused("stands before its parent", nodes => nodes[2] = nodes[2] with { Parent = 2 });
-        AssertRefused("stands before its parent", nodes => nodes[2] = nodes[2] with { Parent = -2 });
-        AssertRefused("not a number", nodes => nodes[2] = nodes[2] with { Position = new Vector3(0, float.NaN, 0) });
-        AssertRefused("not a number", nodes => nodes[2] = nodes[2] with { Scale = new Vector3(0, 0, float.PositiveInfinity) });
-        AssertRefused("not a number", nodes => nodes[2] = nodes[2] with { Rotation = new Quaternion(float.NaN, 0, 0, 1) });
+        AssertRefused("comes before its parent", nodes => nodes[2] = nodes[2] with { Parent = 2 });
+        AssertRefused("comes before its parent", nodes => nodes[2] = nodes[2] with { Parent = -2 });
+        AssertRefused("no number", nodes => nodes[2] = nodes[2] with { Position = new Vector3(0, float.NaN, 0) });
+        AssertRefused("no number", nodes => nodes[2] = nodes[2] with { Scale = new Vector3(0, 0, float.PositiveInfinity) });
+        AssertRefused("no number", nodes => nodes[2] = nodes[2] with { Rotation = new Quaternion(float.NaN, 0, 0, 1) });
         AssertRefused("length zero", nodes => nodes[2] = nodes[2] with { Rotation = default });
-        AssertRefused("is two bones", change: null, nodeByBone => nodeByBone[5] = nodeByBone[6]);
-        AssertRefused("Node 55 does not exist", change: null, nodeByBone => nodeByBone[5] = 55);
-        AssertRefused("Node -2 does not exist", change: null, nodeByBone => nodeByBone[5] = -2);
+        AssertRefused("is mapped to two bones", change: null, nodeByBone => nodeByBone[5] = nodeByBone[6]);
+        AssertRefused("no node 55", change: null, nodeByBone => nodeByBone[5] = 55);
+        AssertRefused("no node -2", change: null, nodeByBone => nodeByBone[5] = -2);
         AssertRefused("hips have no node", change: null, nodeByBone => nodeByBone[0] = -1);
         AssertRefused("below another bone", change: null, nodeByBone => (nodeByBone[0], nodeByBone[7]) = (nodeByBone[7], nodeByBone[0]));
         RigNode[] flat = TestRigs.Under(new RigNode("Armature", -1, Vector3.Zero, Quaternion.Identity, Vector3.Zero), TestRigs.HumanoidNodes());
@@ -115,7 +115,7 @@ public sealed class TargetRigTests
         Assert.Throws<ArgumentException>(() => TargetRig.CreateGeneric(TestRigs.HumanoidNodes(), new int[55]));
     }
 
-    // Bones that hang side by side, as some exporters and physics set-ups have them.
+    // Sibling bones, as created by some exporters and physics set-ups.
     [Fact]
     public void A_flat_rig_gets_world_rotations()
     {

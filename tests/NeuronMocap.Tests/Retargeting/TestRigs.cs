@@ -7,7 +7,7 @@ namespace NeuronMocap.Tests.Retargeting;
 /// <summary>Characters in a plain T-pose, as large as the default body.</summary>
 internal static class TestRigs
 {
-    /// <summary>The actor's own skeleton: a node for each bone of the stream.</summary>
+    /// <summary>Creates the actor's own skeleton, with a node for each bone of the stream.</summary>
     public static TargetRig Actor(SkeletonBody body)
     {
         var nodes = new List<RigNode>();
@@ -20,7 +20,7 @@ internal static class TestRigs
         return TargetRig.CreateGeneric([.. nodes], [.. Enumerable.Range(0, BoneHierarchy.BoneCount)]);
     }
 
-    /// <summary>Nodes of all 55 Humanoid bones, parents first; node i is bone <c>Order[i]</c>.</summary>
+    /// <summary>Creates nodes for all 55 Humanoid bones, parents first. Node i is bone <c>Order[i]</c>.</summary>
     public static RigNode[] HumanoidNodes(float size = 1)
     {
         int[] index = Indices(Order);
@@ -34,7 +34,7 @@ internal static class TestRigs
     public static HumanoidBone[] Order { get; } =
         [.. Enumerable.Range(0, HumanoidBones.Count).Select(bone => (HumanoidBone)bone).OrderBy(Depth).ThenBy(bone => bone)];
 
-    /// <summary>The node of each bone, -1 for those left out.</summary>
+    /// <summary>Returns the node of each bone. -1 for the omitted bones.</summary>
     public static int[] NodeOf(params HumanoidBone[] without)
     {
         int[] nodeByBone = Indices(Order);
@@ -46,12 +46,12 @@ internal static class TestRigs
 
     public static TargetRig Humanoid(float size = 1, params HumanoidBone[] without) => TargetRig.CreateHumanoid(HumanoidNodes(size), NodeOf(without));
 
-    /// <summary>The same character with a node above all others.</summary>
+    /// <summary>Returns the same character with a node above all others.</summary>
     public static RigNode[] Under(RigNode top, RigNode[] nodes) => [top with { Parent = -1 }, .. nodes.Select(node => node with { Parent = node.Parent + 1 })];
 
     public static int[] Under(int[] nodeByBone) => [.. nodeByBone.Select(node => node < 0 ? -1 : node + 1)];
 
-    /// <summary>The actor at rest above the origin.</summary>
+    /// <summary>Returns the actor at rest above the origin.</summary>
     public static BoneTransform[] RestPose(SkeletonBody body)
     {
         var pose = new BoneTransform[BoneHierarchy.BoneCount];
@@ -79,7 +79,7 @@ internal static class TestRigs
         return index;
     }
 
-    // Of the default body, from one Humanoid bone's source to the next; what has no source lies a little before its parent.
+    // From one Humanoid bone's source to the next, in the default body. A bone without a source is slightly in front of its parent.
     private static Vector3 Offset(HumanoidBone bone)
     {
         if (HumanoidMap.GetSource(bone, SkeletonVariant.Neck1, HumanoidBoneSet.All) is not { } source)

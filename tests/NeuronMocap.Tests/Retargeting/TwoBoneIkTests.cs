@@ -34,7 +34,7 @@ public sealed class TwoBoneIkTests
             float distance = random.Range(0.3f, 0.98f) * (limb.Upper + limb.Lower);
             Vector3 axis = Vector3.Normalize(limb.End - limb.Root);
 
-            // Along the same line, the knee stays in its plane, on its side.
+            // For a target on the same line, the knee stays in its plane and on its side.
             Vector3 before = Aside(limb.Middle - limb.Root, axis);
             Vector3 after = Aside(limb.Solve(limb.Root + (axis * distance)).Middle - limb.Root, axis);
             Assert.True(distance < Math.Abs(limb.Upper - limb.Lower) || Angle(before, after) < 2e-3f, $"Case {i}: {Angle(before, after)} rad");
@@ -68,7 +68,7 @@ public sealed class TwoBoneIkTests
     [Fact]
     public void The_turns_change_gradually_while_a_limb_straightens_and_bends_to_the_other_side()
     {
-        // The knee passes the line from hip to ankle in steps of half a millimetre, a little aside as a real one does.
+        // The knee crosses the line from hip to ankle in steps of half a millimetre, slightly aside, like a real knee.
         Vector3? last = null;
         float largest = 0;
         for (float bend = 0.05f; bend > -0.05f; bend -= 0.0005f)
@@ -79,7 +79,7 @@ public sealed class TwoBoneIkTests
             last = middle;
         }
 
-        // Of a knee that stands 0.23 m aside.
+        // For a knee that is 0.23 m aside.
         Assert.True(largest < 0.015f, $"{largest} m");
     }
 
@@ -121,7 +121,7 @@ public sealed class TwoBoneIkTests
         Assert.Equal((Quaternion.Identity, Quaternion.Identity), (solution.Upper, solution.Lower));
     }
 
-    // Every direction of everything at right angles: where formulas divide by zero.
+    // Combinations of parallel and perpendicular directions, where formulas could divide by zero.
     [Fact]
     public void Results_are_always_finite()
     {
@@ -156,7 +156,7 @@ public sealed class TwoBoneIkTests
 
         public float Lower => Vector3.Distance(Middle, End);
 
-        // Bent by that angle at least, forward being where the knee is.
+        // Bent by at least that angle. Forward is the direction of the knee.
         public static Limb Random(Random random, float leastBend = 0)
         {
             Vector3 root = random.InBox(2);

@@ -8,7 +8,7 @@ public sealed class UnityAxesTests
 {
     public static TheoryData<RotationOrder> Orders => [.. Enum.GetValues<RotationOrder>()];
 
-    // What the vendor's scripts make of the same values.
+    // The results of the vendor's scripts for the same values.
     [Fact]
     public void Vectors_match_the_vendors()
     {

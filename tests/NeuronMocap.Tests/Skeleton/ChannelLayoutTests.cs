@@ -26,7 +26,7 @@ public sealed class ChannelLayoutTests
         Assert.False(ChannelLayout.TryFromValueCount(int.MinValue, out _));
     }
 
-    // Position and rotation of Hips 0, RightUpLeg 1, Neck 10, RightHand 16 and LeftHandPinky3 58: the manual's formulas, worked out.
+    // Position and rotation of Hips 0, RightUpLeg 1, Neck 10, RightHand 16 and LeftHandPinky3 58, from the manual's formulas.
     [Theory]
     [InlineData(180, 0, 0, 3)]
     [InlineData(180, 1, -1, 6)]

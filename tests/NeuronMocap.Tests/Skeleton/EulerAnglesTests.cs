@@ -18,7 +18,7 @@ public sealed class EulerAnglesTests
             byNumber);
     }
 
-    // One quarter turn carries an axis to the next one: Y carries Z to X, X carries Y to Z, Z carries X to Y.
+    // One quarter turn moves an axis to the next: Y moves Z to X, X moves Y to Z, Z moves X to Y.
     [Theory]
     [InlineData(RotationOrder.YXZ, 90, 0, 0, "-Z +Y +X")]
     [InlineData(RotationOrder.YXZ, 0, 90, 0, "+X +Z -Y")]

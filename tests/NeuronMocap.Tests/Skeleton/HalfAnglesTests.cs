@@ -6,7 +6,7 @@ public sealed class HalfAnglesTests
 {
     private const double LargestError = 2; // units in the last place
 
-    // Where a result is next to zero its own last place says little: the error stays this small.
+    // If a result is near zero, its last place is not a useful measure. The error stays below this limit.
     private const double NearZero = 1e-9;
 
     [Fact]

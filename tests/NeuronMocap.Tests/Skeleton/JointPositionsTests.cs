@@ -51,7 +51,7 @@ public sealed class JointPositionsTests
         Assert.Throws<ArgumentOutOfRangeException>(() => JointPositions.GetEndSiteIndex((Bone)59));
     }
 
-    // The right leg points a little down, so that its toes are lower than all else.
+    // The right leg points slightly down, so its toes are the lowest point.
     private static BoneTransform[] Pose()
     {
         BoneTransform[] pose = new BoneTransform[59];

@@ -1,6 +1,6 @@
 namespace NeuronMocap.Tests.Skeleton;
 
-/// <summary>The manual's Appendices A, B and C, written out from the document and not from the library.</summary>
+/// <summary>The manual's Appendices A, B and C, copied from the document and not from the library.</summary>
 internal static class ManualTables
 {
     public static readonly string[] AppendixA =
@@ -87,7 +87,7 @@ internal static class ManualTables
         ("LeftHandPinky3", "LeftHandPinky2", 1.692f, 0, 0),
     ];
 
-    /// <summary>Appendix B's End Sites: the bone they hang from and their OFFSET in centimetres.</summary>
+    /// <summary>Appendix B's End Sites: their bone and their OFFSET in centimetres.</summary>
     public static readonly (string Name, float X, float Y, float Z)[] EndSites =
     [
         ("RightFoot", 0, -10, 15.75f),

@@ -80,7 +80,7 @@ public sealed class PoseDecoderTests
         return values;
     }
 
-    // The bound is what a chain of ten bones loses in single precision, with bones of up to ten metres.
+    // The bound is the rounding error of a chain of ten bones in single precision, with bones of up to ten metres.
     private static void AssertReference(
         float[] values, ChannelLayout layout, RotationOrder order, SkeletonBody body, BoneTransform[] world)
     {

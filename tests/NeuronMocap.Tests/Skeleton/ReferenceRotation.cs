@@ -2,21 +2,21 @@ using System.Numerics;
 
 namespace NeuronMocap.Tests.Skeleton;
 
-/// <summary>Rotations as plain 3x3 matrices on column vectors, in double precision: what the library's quaternions are compared with.</summary>
+/// <summary>Rotations as plain 3x3 matrices on column vectors, in double precision, for comparison with the library's quaternions.</summary>
 internal sealed class ReferenceRotation
 {
     private readonly double[,] _rows;
 
     private ReferenceRotation(double[,] rows) => _rows = rows;
 
-    /// <summary>R = R_first * R_second * R_third, the axes taken from the letters of the order's name.</summary>
+    /// <summary>R = R_first * R_second * R_third, with the axes from the letters of the order's name.</summary>
     public static ReferenceRotation FromAngles(Vector3 degrees, RotationOrder order)
     {
         string axes = order.ToString();
         return About(axes[0], degrees.X).Times(About(axes[1], degrees.Y)).Times(About(axes[2], degrees.Z));
     }
 
-    /// <summary>The columns are where the unit vectors go, found through the quaternion product q v q*.</summary>
+    /// <summary>The columns are the images of the unit vectors under q v q*.</summary>
     public static ReferenceRotation FromQuaternion(Quaternion rotation)
     {
         double[] q = [rotation.W, rotation.X, rotation.Y, rotation.Z];

@@ -76,7 +76,7 @@ public sealed class SkeletonBodyTests
     {
         Vector3[] offsets = SkeletonBody.GetDefault().Offsets.ToArray();
         Vector3[] ends = SkeletonBody.GetDefault().EndSites.ToArray();
-        ends[(int)Bone.Hips] = Vector3.One; // Has children, so it has no meaning.
+        ends[(int)Bone.Hips] = Vector3.One; // has children, so the value is ignored
         var body = new SkeletonBody(offsets, ends, SkeletonVariant.Spine3);
         Array.Clear(offsets);
         Array.Clear(ends);

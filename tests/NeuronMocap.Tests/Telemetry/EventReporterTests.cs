@@ -136,7 +136,7 @@ public sealed class EventReporterTests
         _figures.Statistics = new ReaderStatistics { Lost = 12 };
         _figures.UnsettledLoss = 12;
 
-        // The reader's receive thread, between the two readings: by the first the loss stands, by the second nothing is unsettled.
+        // The reader's receive thread runs between the two readings: the first sees the loss, and the second sees nothing unsettled.
         _figures.Read = () => _figures.UnsettledLoss = 0;
         _reporter.Check(At(0));
         Assert.Empty(_events);
@@ -197,7 +197,7 @@ public sealed class EventReporterTests
 
         public long UnsettledLoss { get; set; }
 
-        // What happens between two readings.
+        // Runs between two readings.
         public Action? Read { get; set; }
 
         public int Lists { get; private set; }

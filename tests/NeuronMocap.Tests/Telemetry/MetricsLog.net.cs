@@ -2,7 +2,7 @@ using System.Diagnostics.Metrics;
 
 namespace NeuronMocap.Tests.Telemetry;
 
-// Listens to the meter, to one reader among those of all tests.
+// Listens to the meter of one reader among those of all tests.
 internal sealed class MetricsLog : IDisposable
 {
     private readonly MeterListener _listener = new();
@@ -28,7 +28,7 @@ internal sealed class MetricsLog : IDisposable
 
     public List<Instrument> Instruments { get; } = [];
 
-    // What the counters and gauges say now, in the order of the instruments, as "name tag=value ...: value".
+    // Returns the current values of counters and gauges, in the order of the instruments, as "name tag=value ...: value".
     public string[] Collect()
     {
         lock (_lock)

@@ -34,7 +34,7 @@ public sealed class StatusLevelsTests
         Assert.InRange(_lines.Count, 20, 45);
     }
 
-    // The newest line above Debug says how things stand.
+    // The newest line above Debug describes the current state.
     [Fact]
     public void Repeated_outages_share_a_line()
     {

@@ -9,7 +9,7 @@ using NeuronMocap.Transport;
 
 namespace NeuronMocap.Tests.Transport;
 
-// Links that end at once, on the test's own thread: a day of bad network in a moment. Alone, because the memory of the process is measured.
+// Links that end at once, on the test's own thread, simulate a day of bad network in a moment. Alone, because it measures the memory of the process.
 [Collection(nameof(Alone))]
 public sealed class ConnectionSupervisorTests
 {
@@ -64,10 +64,10 @@ public sealed class ConnectionSupervisorTests
         heap = ProcessResources.LiveHeap() - heap;
 
         Assert.Equal((ConnectionState.Stopped, ConnectionReason.Requested), (end.State, end.Reason));
-        Assert.Equal((Links, Links), (made, closed - 1)); // the last one is closed by the stop, too
+        Assert.Equal((Links, Links), (made, closed - 1)); // the stop closes the last one
         Assert.Equal((Links, Links - 1L), (_pipeline.GetStatistics().MotionFrames, _pipeline.GetStatistics().Reconnects));
 
-        // Connecting, Connected, Receiving and Waiting; the last does not wait.
+        // Connecting, Connected, Receiving and Waiting. The last link does not wait.
         Assert.Equal((4 * Links) - 1, _toldCount);
         Assert.InRange(allocated / (Links - Warm), 0, 4096);
         Assert.InRange(heap, long.MinValue, 1_000_000);

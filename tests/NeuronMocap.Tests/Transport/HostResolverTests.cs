@@ -5,7 +5,7 @@ namespace NeuronMocap.Tests.Transport;
 
 public sealed class HostResolverTests
 {
-    // Other tests have timers of their own, but by far not as many.
+    // Other tests have timers too, but far fewer.
     [Fact]
     public async Task A_resolved_name_leaves_no_timer()
     {

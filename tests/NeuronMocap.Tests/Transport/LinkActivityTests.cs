@@ -178,7 +178,7 @@ public sealed class LinkActivityTests
         Assert.Equal([ConnectionReason.None, ConnectionReason.NoData, ConnectionReason.SenderNotAllowed, ConnectionReason.NoData], reasons);
     }
 
-    // The timer may look between a jump and the first frame behind it.
+    // The timer may run between a jump and the first frame after it.
     [Fact]
     public void After_a_jump_in_a_playback_what_was_told_holds_until_the_next_frame()
     {

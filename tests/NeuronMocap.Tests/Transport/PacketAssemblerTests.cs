@@ -5,7 +5,7 @@ namespace NeuronMocap.Tests.Transport;
 
 public sealed class PacketAssemblerTests
 {
-    // Noise that holds token look-alikes, between packets of both kinds and a packet of no values.
+    // Noise that resembles tokens, between packets of both kinds and a packet without values.
     private static readonly byte[] Noise = [0xFF, 0xDD, 1, 2, 3, 0xFF, 0xFF, 0x88, 0xFF];
 
     private static readonly byte[][] Expected =
@@ -87,7 +87,7 @@ public sealed class PacketAssemblerTests
         Assert.Equal(0, assembler.PendingBytes);
     }
 
-    // Found by fuzzing: anybody's 64 bytes took 100 KB here, for as many senders as are kept.
+    // Found by fuzzing: any 64 bytes allocated 100 KB here, for each sender up to the maximum.
     [Fact]
     public void Memory_follows_received_bytes_not_headers()
     {

@@ -1,15 +1,16 @@
 namespace NeuronMocap.Tests.Transport;
 
 /// <summary>
-/// What the joiner of datagrams is compared with: one list of bytes for each sender, read again from its start with every datagram. A
-/// datagram that begins with a header, or with a named line of text inside another line, ends what its sender left unfinished. Nobody is
-/// known before a datagram of theirs holds the beginning of something. Of more than 64 senders the one silent longest without a frame is given up; where all have brought one, nobody new is known.
+/// A model for comparison with the joiner of datagrams: one list of bytes for each sender, read again from its start with every datagram. A datagram
+/// that starts with a header ends what its sender left unfinished. So does one that starts with a named line of text inside another line. A sender is
+/// unknown until one of its datagrams contains the start of a packet or line. With more than 64 senders, the one that has been silent longest without
+/// a frame is given up. If all have sent a frame, no new sender is accepted.
 /// </summary>
 internal sealed class ReferenceSenders(int maxValues)
 {
     private const int Limit = 64;
 
-    // The one silent longest first.
+    // The sender that has been silent longest comes first.
     private readonly List<(int Sender, int Source, byte[] Unfinished, ReferencePlace Place, bool HasFrame)> _senders = [];
     private int _sources;
 

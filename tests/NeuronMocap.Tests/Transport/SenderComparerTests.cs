@@ -6,7 +6,7 @@ namespace NeuronMocap.Tests.Transport;
 
 public sealed class SenderComparerTests
 {
-    // Mono's addresses have 8 bytes, and are numbered by the runtime: neither may matter.
+    // Mono's addresses have 8 bytes, and the runtime numbers them. Neither may matter.
     [Fact]
     public void Addresses_compare_by_bytes()
     {

@@ -3,7 +3,7 @@ using FsCheck.Fluent;
 
 namespace NeuronMocap.Tests.Transport;
 
-/// <summary>What becomes of the two datagrams of a frame on their way.</summary>
+/// <summary>Specifies what happens to the two datagrams of a frame in transit.</summary>
 internal enum Fate
 {
     Both,
@@ -13,16 +13,16 @@ internal enum Fate
     FirstTwice,
     SecondTwice,
 
-    /// <summary>One datagram from the start.</summary>
+    /// <summary>A single datagram.</summary>
     Uncut,
 }
 
-/// <summary>One frame, or whatever else a sender sends, and how its datagrams arrive.</summary>
-/// <param name="Sender">Last number of the address of the sender.</param>
-/// <param name="Part">What is sent.</param>
-/// <param name="Cut">Bytes of the first datagram.</param>
+/// <summary>A frame, or anything else that a sender sends, and the arrival of its datagrams.</summary>
+/// <param name="Sender">The last number of the sender's address.</param>
+/// <param name="Part">The sent bytes.</param>
+/// <param name="Cut">The size of the first datagram.</param>
 /// <param name="Fate">What the network does.</param>
-/// <param name="IsLate">Whether the last datagram arrives behind the first of whatever is sent next.</param>
+/// <param name="IsLate">Whether the last datagram arrives after the first datagram that is sent next.</param>
 internal sealed record SentFrame(int Sender, WirePart Part, int Cut, Fate Fate, bool IsLate)
 {
     public static Gen<SentFrame> From(int senders, Gen<WirePart> parts) =>
@@ -33,7 +33,7 @@ internal sealed record SentFrame(int Sender, WirePart Part, int Cut, Fate Fate, 
         from isLate in Gen.Elements(false, false, true)
         select new SentFrame(sender, part, cut, fate, isLate);
 
-    /// <summary>All datagrams, in the order of their arrival.</summary>
+    /// <summary>Returns all datagrams in the order of their arrival.</summary>
     public static List<Datagram> Arrivals(IEnumerable<SentFrame> frames)
     {
         List<Datagram> arrivals = [];
@@ -62,7 +62,7 @@ internal sealed record SentFrame(int Sender, WirePart Part, int Cut, Fate Fate, 
         .. Properties.SimplerNumbers(Sender - 1).Select(sender => this with { Sender = sender + 1 }),
     ];
 
-    // At least one; a part of fewer than two bytes cannot be cut.
+    // At least one. A part of fewer than two bytes cannot be cut.
     private IEnumerable<byte[]> Datagrams()
     {
         byte[] bytes = Part.ToBytes();

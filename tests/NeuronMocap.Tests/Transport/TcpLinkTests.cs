@@ -54,7 +54,7 @@ public sealed class TcpLinkTests
         server.Dispose();
         var options = new LinkOptions("suit-pc", port)
         {
-            // The second is no address of this machine's loopback network, so the socket cannot even be bound to reach it.
+            // The second address is not in this machine's loopback network, so the socket cannot even be bound to reach it.
             Resolve = _ => Task.FromResult<IPAddress[]>([IPAddress.Loopback, IPAddress.Parse("::ffff:0:0")]),
         };
         using var link = new TcpLink(options);
@@ -85,7 +85,7 @@ public sealed class TcpLinkTests
     [Fact]
     public async Task A_silent_server_times_out()
     {
-        // A listener whose queue of connections is full drops what else arrives, as a black hole does.
+        // A listener with a full connection queue drops further attempts, like a black hole.
         using var blackHole = new BlackHole();
         var options = new LinkOptions("127.0.0.1", blackHole.Port) { ConnectTimeout = TimeSpan.FromMilliseconds(200) };
         using var link = new TcpLink(options);
@@ -94,7 +94,7 @@ public sealed class TcpLinkTests
         Assert.Contains("0.2 s", end.Message, StringComparison.Ordinal);
     }
 
-    // On Linux a socket's time-out for sending, which commands have, holds for connecting too.
+    // On Linux, a socket's send time-out, which command sockets have, also applies to connecting.
     [Fact]
     public async Task Only_its_own_timeout_limits_connecting()
     {

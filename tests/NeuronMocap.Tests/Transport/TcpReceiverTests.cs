@@ -6,7 +6,7 @@ using NeuronMocap.Transport;
 
 namespace NeuronMocap.Tests.Transport;
 
-// What every way of waiting for a connection's bytes has to do.
+// The behaviour required of every way to wait for a connection's bytes.
 public abstract class TcpReceiverTests
 {
     internal abstract TcpReceiver Create();

@@ -7,7 +7,7 @@ using NeuronMocap.Transport;
 
 namespace NeuronMocap.Tests.Transport;
 
-// A timer delivers what waits, and takes turns with the receive loop, which is the test here.
+// A timer delivers waiting datagrams. It alternates with the receive loop, which the test replaces.
 public sealed class UdpPendingTimerTests
 {
     private readonly ReceiveGate _gate = new();
@@ -96,7 +96,7 @@ public sealed class UdpPendingTimerTests
         Assert.Equal("a fault", (await Assert.ThrowsAsync<InvalidOperationException>(() => end.Soon())).Message);
     }
 
-    // The second one waits, as it comes from another port of the address.
+    // The second datagram waits, because it comes from another port of the address.
     private void PushBoth()
     {
         Push(5000);

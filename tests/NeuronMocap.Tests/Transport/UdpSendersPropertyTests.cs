@@ -8,12 +8,12 @@ using NeuronMocap.Transport;
 
 namespace NeuronMocap.Tests.Transport;
 
-/// <summary>Generated datagrams through <see cref="UdpSenders"/> and through <see cref="ReferenceSenders"/>.</summary>
+/// <summary>Generated datagrams, read by <see cref="UdpSenders"/> and by <see cref="ReferenceSenders"/>.</summary>
 public sealed class UdpSendersPropertyTests
 {
     private readonly PacketScanner _scanner = new(WireStream.MaxValues);
 
-    // Payload that no part of looks like a header.
+    // Payload without any part that looks like a header.
     private static readonly Gen<WirePart> Frame =
         from shape in Gen.Elements(WireShape.NewMotion, WireShape.OldMotion, WireShape.Calculation)
         from count in Gen.Choose(1, WireStream.MaxValues)
@@ -45,7 +45,7 @@ public sealed class UdpSendersPropertyTests
         Assert.True(joined > 1_000, $"Only {joined} frames came in halves: the cases are too poor to prove anything.");
     }
 
-    // As many hosts as are kept, and a few that send from several ports: whoever speaks, makes room or is replaced, every byte comes out once.
+    // The maximum number of hosts, and a few that send from several ports. Whoever sends, gives way or is replaced, every byte is delivered once.
     [Fact]
     public void Every_byte_of_many_senders_is_delivered_or_skipped()
     {
@@ -76,7 +76,7 @@ public sealed class UdpSendersPropertyTests
                 Push(spoken.Host, spoken.Port, spoken.Part switch { 0 => frame, 1 => frame[..1024], _ => frame[1024..] });
             }
 
-            // Whoever has an unfinished frame gives it up for a whole one.
+            // A sender gives up an unfinished frame for a whole one.
             senders.Settle(now, isLast: true);
             for (int host = 1; host <= Spoken.Hosts; host++)
             {
@@ -122,8 +122,8 @@ public sealed class UdpSendersPropertyTests
 
     private static IEnumerable<SentFrame[]> Simpler(SentFrame[] frames) => Properties.SimplerLists(frames, frame => frame.Simpler());
 
-    // How often two datagrams in a row of one sender are the halves of these bytes, the first one with a whole header: a shorter one
-    // cannot be told from the rest of whatever was unfinished before it.
+    // Counts how often two consecutive datagrams of one sender are the halves of these bytes, with a whole header in the first. A shorter first half
+    // looks like the rest of earlier unfinished data.
     private static int CountHalves(List<Datagram> ofSender, byte[] bytes)
     {
         int count = 0;
@@ -138,7 +138,7 @@ public sealed class UdpSendersPropertyTests
         return count;
     }
 
-    // One datagram: a whole frame, or the first or the second part of one.
+    // One datagram: a whole frame, or the first or second part of one.
     private sealed record Spoken(int Host, int Port, int Part, int Milliseconds)
     {
         public const int Hosts = 3;

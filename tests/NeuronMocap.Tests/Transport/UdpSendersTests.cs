@@ -258,7 +258,7 @@ public sealed class UdpSendersTests
         Assert.InRange(_senders.Count, 1, 64);
     }
 
-    // The datagram that makes room for another port of its own address must not lose its own place by that.
+    // A datagram that makes room for another port of its own address must not lose its own place.
     [Fact]
     public void A_sender_is_not_evicted_by_its_own_datagram()
     {

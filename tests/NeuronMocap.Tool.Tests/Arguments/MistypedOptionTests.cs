@@ -4,10 +4,10 @@ namespace NeuronMocap.Tool.Tests.Arguments;
 
 public sealed class MistypedOptionTests
 {
-    // Words and names of files: x is one, and the program would begin.
+    // Words and file names: with x as the value, the program would start.
     private static readonly string[] TakesAnyWord = ["--record", "--export", "--server", "--bvh", "--calc", "--play"];
 
-    // May be given again.
+    // These options may be repeated.
     private static readonly string[] TakesMany = ["--allow-sender", "--udp"];
 
     private static readonly string[][] Contexts =
@@ -19,7 +19,7 @@ public sealed class MistypedOptionTests
         ["info", "a.bvh", "b.bvh"], ["simulate"], ["simulate", "--bvh", "a.bvh"], ["simulate", "--play", "a.nmrec"],
     ];
 
-    // Every option that --help lists, so that a new one is looked at, too, beside everything that makes a program look at it.
+    // Covers every option that --help lists, so that new options are tested too, together with everything needed for the program to examine it.
     [Fact]
     public async Task Every_option_with_a_wrong_or_a_second_value_is_one_line_and_ends_with_2()
     {
@@ -50,7 +50,7 @@ public sealed class MistypedOptionTests
     [InlineData("play", "a.nmrec", "b.nmrec")]
     public async Task A_wrong_number_of_files_is_refused(string verb, params string[] args) => await AssertRefusedAsync(verb, [verb, .. args]);
 
-    // An output that nobody has thought of: it throws what no stream of a system throws.
+    // An unexpected output stream: it throws an exception that no system stream throws.
     [Fact]
     public async Task A_fault_of_the_program_is_one_sentence_and_ends_with_1()
     {

@@ -12,7 +12,7 @@ using NeuronMocap.Tool.Arguments;
 
 namespace NeuronMocap.Tool.Tests.Arguments;
 
-/// <summary>No name of a member of the library reaches whoever typed a command line.</summary>
+/// <summary>No message to a user of the command line contains the name of a library member.</summary>
 public sealed partial class OptionNamesTests
 {
     private static readonly Type[] OptionTypes =
@@ -25,7 +25,7 @@ public sealed partial class OptionNamesTests
 
     public static TheoryData<string> RecordingSettings => [.. Settable(typeof(RecordingOptions)).Where(static property => WrongValueOf(property) is not Harmless).Select(static property => property.Name)];
 
-    // The texts that were compiled into the libraries, so that a new sentence is looked at, too.
+    // The texts compiled into the libraries, so that new sentences are checked too.
     [Theory]
     [InlineData(typeof(NeuronReader))]
     [InlineData(typeof(Broadcaster))]
@@ -95,7 +95,7 @@ public sealed partial class OptionNamesTests
 
     private static bool IsSentence(string text) => text.Contains(' ', StringComparison.Ordinal) && !text.Contains(" = ", StringComparison.Ordinal);
 
-    // What only another program than this one can ask for: other data than motion, and what a server of its own is made of.
+    // Texts that only another program can cause: data other than motion, and the settings of its own server.
     private static bool IsOfDeveloper(string text) => text.Contains("StudioCalculation", StringComparison.Ordinal)
         || text.StartsWith("must ", StringComparison.Ordinal) || text.StartsWith("needs ", StringComparison.Ordinal) || text.StartsWith("may be ", StringComparison.Ordinal);
 

@@ -28,7 +28,7 @@ public sealed class SourceAddressTests : AddressContract
         Assert.Equal($"'{text}' is not a source. Use HOST, HOST:PORT, tcp://HOST:PORT, udp://:PORT, a file, or demo.", message);
     }
 
-    // The library takes any free port; nobody could send to it here.
+    // The library chooses any free port. Here nothing could send to it.
     [Theory]
     [InlineData("udp://:0")]
     [InlineData("udp://127.0.0.1:00")]

@@ -28,7 +28,7 @@ public sealed class CompletionTests
         Assert.Equal(0, result.ExitCode);
         Assert.Empty(result.Error);
 
-        // The shells leave out what does not begin with the word.
+        // Shells omit suggestions that do not start with the word.
         string begun = line.Split(' ')[^1];
         Assert.Equal(
             words.Split(' ', StringSplitOptions.RemoveEmptyEntries),
@@ -50,7 +50,7 @@ public sealed class CompletionTests
         Assert.Contains("neuron-mocap \"[suggest:", script, StringComparison.Ordinal);
     }
 
-    // The script in a bash whose neuron-mocap is the program that was built.
+    // Runs the script in a bash whose neuron-mocap is the built program.
     [Theory]
     [InlineData("neuron-mocap pl", "play\nplot\n")]
     [InlineData("neuron-mocap watch --local-", "--local-address\n")]
@@ -68,7 +68,7 @@ public sealed class CompletionTests
         Assert.Equal(words, completed);
     }
 
-    // The functions of compinit are there on a terminal only; these show what the script gives them.
+    // The functions of compinit exist only on a terminal. These replacements show what the script passes to them.
     [Theory]
     [InlineData("play:plot:files:", "pl")]
     [InlineData("--local-address:files:", "watch", "--local-")]
@@ -100,7 +100,7 @@ public sealed class CompletionTests
     public async Task Fish_completes_with_its_script(string line, string words) =>
         Assert.Equal(words, await RunAsync("fish", $"complete -C '{line}'"));
 
-    // Runs a script behind the one of the shell.
+    // Runs a script after that of the shell.
     private static async Task<string> RunAsync(string shell, string script, string before = "")
     {
         Assert.SkipUnless(

@@ -2,10 +2,10 @@ using NeuronMocap.Tool.Tests.Infrastructure;
 
 namespace NeuronMocap.Tool.Tests.Convert;
 
-/// <summary>Runs the verb where it succeeds.</summary>
+/// <summary>Runs the verb and expects success.</summary>
 internal static class Conversion
 {
-    /// <summary>The line that says what the new file holds.</summary>
+    /// <summary>Returns the line that describes the new file.</summary>
     public static async Task<string> ConvertAsync(string input, string output, params string[] options)
     {
         ToolResult result = await ToolRunner.RunAsync(["convert", input, output, .. options]);

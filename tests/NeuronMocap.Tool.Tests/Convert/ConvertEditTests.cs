@@ -66,7 +66,7 @@ public sealed class ConvertEditTests : IDisposable
         Assert.Equal(Enumerable.Range(0, 60).SelectMany(frame => Row(BvhDocument.Load(_folder["take.bvh"]), 120 + (2 * frame))), Values(half));
     }
 
-    // From 24 to 60 Hz no frame but the first meets one of the take.
+    // From 24 to 60 Hz, only the first frame coincides with one of the take.
     [Fact]
     public async Task Resampled_frames_are_interpolated()
     {

@@ -29,7 +29,7 @@ public sealed class RoundTripTests : IDisposable
         Assert.Equal(TimeSpan.FromTicks((long)Math.Round(119 * TimeSpan.TicksPerSecond / 60.0)), recording.Duration);
     }
 
-    // The order of a stream stands in no packet of Axis Neuron: the option tells it, and the values stay what they are.
+    // No packet of Axis Neuron carries the order of the stream. The option sets it, and the values stay the same.
     [Fact]
     public async Task The_given_order_of_raw_bytes_is_kept()
     {
@@ -42,7 +42,7 @@ public sealed class RoundTripTests : IDisposable
         Assert.Equal(RotationOrder.XYZ, map.Format.RotationOrder);
     }
 
-    // A calculation export has bones' centres and sensors, no joints: they are found again from the motion, those of legs that walk best.
+    // A calculation export has centres of bones and sensors, but no joints. The joints are found from the motion, best for walking legs.
     [Fact]
     public async Task A_take_nearly_survives_calculation_data()
     {
@@ -60,7 +60,7 @@ public sealed class RoundTripTests : IDisposable
         }
     }
 
-    // Rates that no server has, and times that are no round number of ticks.
+    // Rates that no server uses, and times that are not a whole number of ticks.
     [Theory]
     [InlineData(60)]
     [InlineData(90)]

@@ -6,7 +6,7 @@ using NeuronMocap.Skeleton;
 
 namespace NeuronMocap.Tool.Tests.Convert;
 
-/// <summary>What two takes have in common, to the last bit.</summary>
+/// <summary>Compares two takes to the last bit.</summary>
 internal static class TakeComparison
 {
     public static void AssertSame(BvhDocument expected, BvhDocument actual)

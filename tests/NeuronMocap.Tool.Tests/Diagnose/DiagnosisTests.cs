@@ -24,7 +24,7 @@ public sealed class DiagnosisTests
         Assert.DoesNotContain(result.Output, static line => line.Contains('\e', StringComparison.Ordinal));
     }
 
-    // A serial line or a bare pseudo-terminal says 0.
+    // A serial line or a plain pseudo-terminal reports 0.
     [Theory]
     [InlineData(0)]
     [InlineData(7)]
@@ -36,7 +36,7 @@ public sealed class DiagnosisTests
         Assert.StartsWith("Looking for frames from 127.0.0.1:", result.Output[0], StringComparison.Ordinal);
     }
 
-    // Other programs on this machine may stream on the usual ports, and would be found: what is said then is the library's to test.
+    // Other programs on this machine may stream on the usual ports and would be found. Tests of the library check the message for that case.
     [Fact]
     public async Task A_fault_is_one_paragraph_and_ends_with_1()
     {

@@ -2,7 +2,7 @@ using NeuronMocap.Tool.Tests.Infrastructure;
 
 namespace NeuronMocap.Tool.Tests.Files;
 
-/// <summary>Files that cannot be opened are said in words of the program, not in those of the runtime.</summary>
+/// <summary>Files that cannot be opened are reported in words of the program, not of the runtime.</summary>
 public sealed class FileFaultTests
 {
     private static readonly string LongName = new('x', 300);

@@ -5,7 +5,7 @@ using NeuronMocap.Tool.Tests.Infrastructure;
 
 namespace NeuronMocap.Tool.Tests.Files;
 
-/// <summary>What stands under a name on a command line and is no regular file.</summary>
+/// <summary>Names on a command line that are not regular files.</summary>
 public sealed class OddInputTests : IDisposable
 {
     private readonly TemporaryFolder _folder = new();
@@ -74,7 +74,7 @@ public sealed class OddInputTests : IDisposable
         Assert.Contains("a pipe", await simulator.ReadErrorAsync(), StringComparison.Ordinal);
     }
 
-    // The first look at bytes without times reads all of them: 64 GB here, none of which is on the disk.
+    // The first look at bytes without times reads all of them: here 64 GB of a sparse file that is not on the disk.
     [Theory]
     [InlineData(130, "info")]
     [InlineData(130, "convert", "out.nmrec")]
@@ -128,14 +128,14 @@ public sealed class OddInputTests : IDisposable
 
     public void Dispose() => _folder.Dispose();
 
-    // Its signals are handled long before it opens a file.
+    // The program handles signals long before it opens a file.
     private static async Task WaitUntilReadAsync(int process, string path)
     {
         while (!Directory.GetFiles($"/proc/{process}/fd").Any(file => IsLinkTo(file, path)))
             await Task.Delay(TimeSpan.FromMilliseconds(20), TestContext.Current.CancellationToken);
     }
 
-    // The process may close a file between the listing and the look at it.
+    // The process may close a file between the listing and the check.
     private static bool IsLinkTo(string file, string path)
     {
         try

@@ -4,7 +4,7 @@ namespace NeuronMocap.Tool.Tests.Files;
 
 public sealed class OutputFileTests
 {
-    // The thread that writes may come to the file just after the run was given up.
+    // The writing thread may reach the file just after the run was given up.
     [Fact]
     public void A_file_created_after_cancellation_is_removed()
     {

@@ -34,7 +34,7 @@ internal static class Takes
 
         """;
 
-    /// <summary>The default body upright, moved by a formula.</summary>
+    /// <summary>The upright default body, moved by a formula.</summary>
     public static BvhDocument Neuron(
         int frames, Action<int, BoneTransform[]> formula, double rate = 60, bool displacement = false, RotationOrder order = RotationOrder.YXZ)
     {

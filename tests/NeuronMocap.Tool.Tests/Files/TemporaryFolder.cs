@@ -1,6 +1,6 @@
 namespace NeuronMocap.Tool.Tests.Files;
 
-/// <summary>A folder of its own for a test, gone with it.</summary>
+/// <summary>A folder for one test, deleted with it.</summary>
 internal sealed class TemporaryFolder : IDisposable
 {
     private readonly string _path = Directory.CreateTempSubdirectory("neuron-mocap-").FullName;

@@ -6,7 +6,7 @@ using NeuronMocap.Fuzz.Targets;
 
 namespace NeuronMocap.Tool.Tests.Fuzz;
 
-/// <summary>That the fuzzing program finds what it is for, and only that.</summary>
+/// <summary>The fuzzing program finds faults, and only faults.</summary>
 public sealed class FuzzRunTests
 {
     private const long Bytes = 2_500_000;
@@ -68,7 +68,7 @@ public sealed class FuzzRunTests
         Assert.True(run.Progress[0].Failures > 2, "The run ended with the second failure.");
     }
 
-    // What the library or a tool was once wrong about stays mended.
+    // Known faults of the library or a tool stay fixed.
     [Fact]
     public void Every_kept_input_is_read_by_every_target()
     {
@@ -116,7 +116,7 @@ public sealed class FuzzRunTests
         Assert.True(first.Distinct().Count() > first.Count * 9 / 10, "Most inputs are copies of others.");
     }
 
-    // The first fixtures are handed on as they are, so each target must have recognised something at once.
+    // The first fixtures are passed on unchanged, so each target must recognise something at once.
     [Fact]
     public void Every_target_of_the_program_is_clean_and_recognises_something()
     {
@@ -139,7 +139,7 @@ public sealed class FuzzRunTests
         new FuzzRun([recorder, .. others], Bytes * (1 + others.Length), seed, data: null, TestContext.Current.CancellationToken).Run(() => { });
         return seen;
 
-        // Some are read twice.
+        // Some inputs are read twice.
         void Record(FuzzInput input)
         {
             ulong digest = Digest.Of(input.Bytes);

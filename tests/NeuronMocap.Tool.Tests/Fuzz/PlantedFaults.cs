@@ -3,7 +3,7 @@ using NeuronMocap.Fuzz.Inputs;
 
 namespace NeuronMocap.Tool.Tests.Fuzz;
 
-/// <summary>Parsers that do one thing wrong, wherever two bytes of 0xFF follow each other; and some that do nothing wrong.</summary>
+/// <summary>Parsers with one fault wherever two bytes 0xFF follow each other, and some parsers without a fault.</summary>
 internal static class PlantedFaults
 {
     public static readonly byte[] Trigger = [0xFF, 0xFF];
@@ -24,8 +24,8 @@ internal static class PlantedFaults
         _ => throw new ArgumentOutOfRangeException(nameof(fault)),
     };
 
-    /// <summary>A parser that does not come back.</summary>
-    /// <param name="end">Lets its thread go.</param>
+    /// <summary>A parser that does not return.</summary>
+    /// <param name="end">Releases its thread.</param>
     public static FuzzTarget Hang(ManualResetEventSlim end) =>
         Create("hang", _ => end.Wait()) with { TimeLimit = TimeSpan.FromMilliseconds(200) };
 

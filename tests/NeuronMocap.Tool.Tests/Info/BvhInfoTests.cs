@@ -24,7 +24,7 @@ public sealed class BvhInfoTests : InfoPages
     [Fact]
     public async Task Oddities_are_found()
     {
-        // A T first, then arms down; the head's angles jump by half a turn while it stays as it is; one value is no number.
+        // A T-pose first, then arms down. The head's angles jump by half a turn without a movement. One value is not a number.
         BvhDocument take = Takes.Neuron(
             40,
             static (frame, pose) =>

@@ -6,7 +6,7 @@ namespace NeuronMocap.Tool.Tests.Info;
 
 public sealed class DumpInfoTests : InfoPages
 {
-    // Dumps of streams that are text and lack what a line begins with.
+    // Dumps of text streams that lack the start of a line.
     [Theory]
     [InlineData("", "without the avatar's number and name")]
     [InlineData("Char00 A ", "begin with a word instead of the avatar's number")]
@@ -23,7 +23,7 @@ public sealed class DumpInfoTests : InfoPages
         Assert.Contains("0 Char00 0.00 93.02", error, StringComparison.Ordinal);
     }
 
-    // Of one frame whose positions are at the end of what a number can be, the extent has no end.
+    // In a frame with positions near the largest number, the extent is infinite.
     [Fact]
     public async Task A_take_of_infinite_extent_gives_valid_JSON()
     {

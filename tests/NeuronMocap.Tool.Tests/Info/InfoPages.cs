@@ -5,7 +5,7 @@ using NeuronMocap.Tool.Tests.Infrastructure;
 
 namespace NeuronMocap.Tool.Tests.Info;
 
-/// <summary>What the verb says of files in a folder of the test.</summary>
+/// <summary>The verb's output for files in a folder of the test.</summary>
 public abstract class InfoPages : IDisposable
 {
     private protected TemporaryFolder Folder { get; } = new();

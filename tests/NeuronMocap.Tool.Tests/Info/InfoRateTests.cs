@@ -8,7 +8,7 @@ namespace NeuronMocap.Tool.Tests.Info;
 
 public sealed class InfoRateTests : InfoPages
 {
-    // Two frames in the middle are lost: the bytes have no times, so the rate is the one that is given and not one that the loss makes up.
+    // Two frames in the middle are lost. The bytes have no times, so the given rate applies, and not a rate derived from the loss.
     [Theory]
     [InlineData("60", 60)]
     [InlineData("59.94", 59.94)]
@@ -43,7 +43,7 @@ public sealed class InfoRateTests : InfoPages
         Assert.Contains("walk.bvh has its own times", Assert.Single(result.Error), StringComparison.Ordinal);
     }
 
-    // An export has no place for its rate: 60 Hz become 120 unless somebody says so.
+    // An export has no field for its rate. 60 Hz become 120 unless the rate is given.
     [Fact]
     public async Task The_rate_of_a_calculation_export_can_be_given()
     {

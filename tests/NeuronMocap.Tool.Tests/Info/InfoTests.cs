@@ -43,7 +43,7 @@ public sealed class InfoTests : InfoPages
         Assert.StartsWith("9.90 m", Fact(page, "distance walked"), StringComparison.Ordinal);
     }
 
-    // A serial line or a bare pseudo-terminal says 0.
+    // A serial line or a plain pseudo-terminal reports 0.
     [Theory]
     [InlineData(0)]
     [InlineData(7)]
@@ -72,7 +72,7 @@ public sealed class InfoTests : InfoPages
         Assert.Equal(1, info.GetProperty("walk").GetProperty("highestSpeed").GetDouble(), 1e-3);
     }
 
-    // Of an avatar, a joint, a key of the metadata, a reason: none reaches the terminal as more than letters; JSON has all of it.
+    // Names of an avatar, a joint, a metadata key, a reason: on the terminal, none has an effect beyond its letters. JSON contains all of it.
     [Fact]
     public async Task Text_of_a_file_cannot_control_the_terminal()
     {

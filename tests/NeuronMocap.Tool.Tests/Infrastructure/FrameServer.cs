@@ -4,7 +4,7 @@ using NeuronMocap.Protocol;
 
 namespace NeuronMocap.Tool.Tests.Infrastructure;
 
-/// <summary>A server of raw bytes on a free loopback port, for one client after the other.</summary>
+/// <summary>A server of raw bytes on a free loopback port, which serves one client after the other.</summary>
 internal sealed class FrameServer : IDisposable
 {
     private readonly TcpListener _listener = new(IPAddress.Loopback, 0);
@@ -21,15 +21,15 @@ internal sealed class FrameServer : IDisposable
             await stream.WriteAsync(packet, cancellationToken);
     });
 
-    /// <summary>Sends a packet again and again until the client is gone.</summary>
+    /// <summary>Repeats a packet until the client leaves.</summary>
     public static FrameServer Repeating(byte[] packet) => Start(async (stream, cancellationToken) =>
     {
         while (true)
             await stream.WriteAsync(packet, cancellationToken);
     });
 
-    /// <summary>Sends packets to each client, a few every millisecond, until it is gone.</summary>
-    /// <param name="packets">The packet with a number; called in order, from 0.</param>
+    /// <summary>Sends packets to each client, a few every millisecond, until it leaves.</summary>
+    /// <param name="packets">Returns the packet with a number. Called in order, from 0.</param>
     public static FrameServer Pacing(Func<int, byte[]> packets) => Start(async (stream, cancellationToken) =>
     {
         for (int number = 0; ; number++)
@@ -40,10 +40,10 @@ internal sealed class FrameServer : IDisposable
         }
     });
 
-    /// <summary>Accepts and sends nothing.</summary>
+    /// <summary>Accepts connections and sends nothing.</summary>
     public static FrameServer Silent() => Start(static (_, cancellationToken) => Task.Delay(Timeout.Infinite, cancellationToken));
 
-    /// <summary>An address where nothing listens.</summary>
+    /// <summary>An address without a listener.</summary>
     public static string RefusingAddress()
     {
         using var server = new FrameServer();

@@ -3,7 +3,7 @@ using System.Text;
 
 namespace NeuronMocap.Tool.Tests.Infrastructure;
 
-/// <summary>The program in a terminal of 80 x 24, which the program "script" of util-linux makes.</summary>
+/// <summary>The program in a terminal of 80 x 24, created by the program "script" of util-linux.</summary>
 internal sealed class PseudoTerminal : IDisposable
 {
     private static readonly TimeSpan Limit = TimeSpan.FromMinutes(2);
@@ -26,10 +26,10 @@ internal sealed class PseudoTerminal : IDisposable
         _reading = ReadAsync();
     }
 
-    /// <summary>Whether there is the program that makes a terminal.</summary>
+    /// <summary>Whether the program that creates a terminal exists.</summary>
     public static bool IsSupported => OperatingSystem.IsLinux() && File.Exists("/usr/bin/script");
 
-    /// <summary>Everything that was written to the terminal.</summary>
+    /// <summary>All output to the terminal.</summary>
     public string Text
     {
         get
@@ -45,7 +45,7 @@ internal sealed class PseudoTerminal : IDisposable
         _process.StandardInput.Flush();
     }
 
-    /// <summary>Waits until the terminal was told this text.</summary>
+    /// <summary>Waits until this text was written to the terminal.</summary>
     public async Task WaitForAsync(string text)
     {
         long start = Stopwatch.GetTimestamp();

@@ -2,18 +2,18 @@ using System.Diagnostics;
 
 namespace NeuronMocap.Tool.Tests.Infrastructure;
 
-/// <summary>The program in a terminal of tmux, with a server of its own.</summary>
+/// <summary>The program in a terminal of tmux, with its own tmux server.</summary>
 internal sealed class TmuxTerminal : IAsyncDisposable
 {
     private static readonly TimeSpan Limit = TimeSpan.FromSeconds(60);
 
     private readonly string _name = $"neuron-mocap-{Guid.NewGuid():N}";
 
-    /// <summary>Whether there is a tmux.</summary>
+    /// <summary>Whether tmux exists.</summary>
     public static bool Exists => !OperatingSystem.IsWindows()
         && (Environment.GetEnvironmentVariable("PATH") ?? string.Empty).Split(':').Any(static folder => File.Exists(Path.Combine(folder, "tmux")));
 
-    /// <summary>Runs the program. The terminal stays when it ends, with its exit code in the last line.</summary>
+    /// <summary>Runs the program. The terminal stays after it ends, with the exit code in the last line.</summary>
     public static async Task<TmuxTerminal> StartAsync(int columns, int rows, string args)
     {
         var terminal = new TmuxTerminal();
@@ -25,7 +25,7 @@ internal sealed class TmuxTerminal : IAsyncDisposable
 
     public Task TypeAsync(string key) => RunAsync("send-keys", key);
 
-    /// <summary>Waits until the screen says what is wanted.</summary>
+    /// <summary>Waits until the screen meets a condition.</summary>
     /// <returns>The lines of the screen.</returns>
     public async Task<string[]> WaitForAsync(Func<string[], bool> isThere)
     {

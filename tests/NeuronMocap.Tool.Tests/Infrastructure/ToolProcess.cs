@@ -30,7 +30,7 @@ internal sealed class ToolProcess : IDisposable
 
     public int Id => _process.Id;
 
-    // As it was built, in its own folder: this one lacks what the tests' own frameworks bring and the program's does not. A project of tests may hold a copy.
+    // The built program in its own folder. The tests' folder lacks frameworks that the program needs, and may hold a copy of the program.
     public static string PathOf(string program)
     {
         var output = new DirectoryInfo(AppContext.BaseDirectory);
@@ -42,7 +42,7 @@ internal sealed class ToolProcess : IDisposable
             .First(File.Exists);
     }
 
-    // A shell that runs the tests in the background switches SIGINT off. Bit 1 of the mask of ignored signals is SIGINT, number 2.
+    // A shell that runs the tests in the background disables SIGINT. SIGINT is number 2, bit 1 of the mask of ignored signals.
     public static bool IgnoresInterrupt()
     {
         string? line = File.Exists("/proc/self/status")
@@ -57,7 +57,7 @@ internal sealed class ToolProcess : IDisposable
         return _process.ExitCode;
     }
 
-    // At once, without a word to the process: SIGKILL.
+    // At once, without notice to the process: SIGKILL.
     public void Kill()
     {
         _process.Kill();

@@ -1,11 +1,11 @@
 namespace NeuronMocap.Tool.Tests.Infrastructure;
 
 /// <summary>An option that the help of a verb lists.</summary>
-/// <param name="Name">With its dashes.</param>
-/// <param name="MayStandAlone">Whether its value may be left out.</param>
+/// <param name="Name">The name, with its dashes.</param>
+/// <param name="MayStandAlone">Whether its value is optional.</param>
 internal sealed record VerbOption(string Name, bool MayStandAlone);
 
-/// <summary>What the help of a verb says, so that tests look at options that come to be added.</summary>
+/// <summary>Reads the help of a verb, so that tests also cover options added later.</summary>
 internal static class VerbHelp
 {
     /// <summary>The options that take a value.</summary>
@@ -22,7 +22,7 @@ internal static class VerbHelp
         ];
     }
 
-    /// <summary>Words that a verb does not do without.</summary>
+    /// <summary>Arguments that a verb requires.</summary>
     public static string[] FilesOf(string verb) => verb switch
     {
         "play" or "info" => ["a.nmrec"],

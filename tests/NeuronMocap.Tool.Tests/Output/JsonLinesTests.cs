@@ -12,7 +12,7 @@ namespace NeuronMocap.Tool.Tests.Output;
 
 public sealed class JsonLinesTests
 {
-    // What happened before the start has its time.
+    // An event before the start has the time of the start.
     private const string Origin = "\"sender\":0,\"time\":0,\"utc\":\"2026-01-02T03:04:05Z\"";
 
     private readonly JsonLines _lines = new(new JsonClock(long.MaxValue, new DateTime(2026, 1, 2, 3, 4, 5, DateTimeKind.Utc)));

@@ -13,7 +13,7 @@ using NeuronMocap.Tool.Tests.Infrastructure;
 
 namespace NeuronMocap.Tool.Tests.Output;
 
-/// <summary>docs/reference/json.md against the lines that are written.</summary>
+/// <summary>Compares docs/reference/json.md with the lines that are written.</summary>
 public sealed partial class JsonPageTests
 {
     private static readonly string[] Page = File.ReadAllLines(Repository.PathOf("docs/reference/json.md"));
@@ -35,7 +35,7 @@ public sealed partial class JsonPageTests
             Collect(document.RootElement, string.Empty, fields);
         }
 
-        // One line of every kind that the class can write: a new kind cannot be forgotten here.
+        // One line of every kind that the class can write, so that a new kind cannot be forgotten here.
         Assert.Superset(
             typeof(JsonLines).GetMethods(BindingFlags.Public | BindingFlags.Instance)
                 .Where(static method => method.ReturnType == typeof(ReadOnlySpan<byte>))

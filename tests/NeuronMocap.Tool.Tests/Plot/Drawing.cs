@@ -6,7 +6,7 @@ using NeuronMocap.Tool.Tests.Infrastructure;
 
 namespace NeuronMocap.Tool.Tests.Plot;
 
-/// <summary>A picture that the verb made, and what is in it.</summary>
+/// <summary>A picture created by the verb, and its content.</summary>
 internal static partial class Drawing
 {
     public static readonly XNamespace Svg = "http://www.w3.org/2000/svg";

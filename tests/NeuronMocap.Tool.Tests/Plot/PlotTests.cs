@@ -41,7 +41,7 @@ public sealed class PlotTests : IDisposable
         Assert.All(path, point => Assert.Equal(path[0].X, point.X, 0.011));
         Assert.True(path[^1].Y > path[0].Y, "Z does not grow downwards.");
 
-        // A curve of one value is a level line, and 1 m/s stands as high as the label 1.0.
+        // A constant curve is a horizontal line, and 1 m/s is at the height of the label 1.0.
         (double X, double Y)[] speed = Points(svg, "hips");
         XElement label = Assert.Single(svg.Elements(Svg + "text"), text => text.Value is "1.0" && Number(text, "x") > 490 && Number(text, "y") is > 680 and < 760);
         Assert.All(speed, point => Assert.Equal(Number(label, "y") - 4, point.Y, 0.05));

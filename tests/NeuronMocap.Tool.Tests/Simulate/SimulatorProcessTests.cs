@@ -48,7 +48,7 @@ public sealed class SimulatorProcessTests
         Assert.EndsWith(" neuron-mocap simulate --help lists the options.", line.TrimEnd(), StringComparison.Ordinal);
     }
 
-    // Every option that --help lists, so that a new one is looked at, too.
+    // Covers every option that --help lists, so that new options are tested too.
     [Fact]
     public async Task Every_option_with_a_wrong_or_a_second_value_is_one_line_and_ends_with_2()
     {
@@ -58,7 +58,7 @@ public sealed class SimulatorProcessTests
         Assert.True(options.Length > 15, "The options are not found in the help.");
         foreach (string option in options)
         {
-            // A file may have any name, and a destination may be given again.
+            // A file may have any name, and a destination may be repeated.
             bool isFile = option is "--bvh" or "--calc" or "--play";
             string[][] commands = isFile ? [[option, "x", option, "x"]] : option is "--udp" ? [[option, "x"]] : [[option, "x"], [option, "x", option, "x"]];
             foreach (string[] args in commands)
@@ -311,7 +311,7 @@ public sealed class SimulatorProcessTests
         return line;
     }
 
-    // What a user of the program can change are options.
+    // A user of the program changes options, so messages name no members.
     private static void AssertNamesNoMember(string line) => Assert.All(
         typeof(BroadcasterOptions).GetProperties().Where(property => property.Name is not ("Port" or "Format" or "Motion" or "FrameRate" or "Sources" or "Recording")),
         property => Assert.DoesNotContain(property.Name, line, StringComparison.Ordinal));

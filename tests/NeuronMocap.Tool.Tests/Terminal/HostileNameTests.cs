@@ -5,7 +5,7 @@ using NeuronMocap.Tool.Tests.Infrastructure;
 
 namespace NeuronMocap.Tool.Tests.Terminal;
 
-/// <summary>What a server calls its avatar commands no terminal: escape sequences, C1 controls, turned directions and invisible letters.</summary>
+/// <summary>Avatar names cannot control a terminal: escape sequences, C1 controls, changed directions and invisible letters have no effect.</summary>
 public sealed class HostileNameTests
 {
     private const string Name = "\e[2J\u009b1m\u202Eevil\u200B\u2066\a";
@@ -79,7 +79,7 @@ public sealed class HostileNameTests
             && char.GetUnicodeCategory(letter) is UnicodeCategory.Control or UnicodeCategory.Format or UnicodeCategory.Surrogate);
     }
 
-    // Leaves when it has seen enough, as `| grep -m 1` does.
+    // Ends when it has seen enough, like `| grep -m 1`.
     private sealed class LeavingReader(string enough) : MemoryStream
     {
         private const int BrokenPipe = 32;

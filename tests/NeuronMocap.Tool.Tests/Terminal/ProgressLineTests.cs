@@ -44,7 +44,7 @@ public sealed class ProgressLineTests
         Assert.Contains("reading [take]·.bvh", text, StringComparison.Ordinal);
         Assert.Contains(" left", text, StringComparison.Ordinal);
 
-        // The cursor is back, and the line is erased.
+        // The cursor is visible again, and the line is erased.
         Assert.True(text.LastIndexOf("\e[?25h", StringComparison.Ordinal) > text.LastIndexOf("\e[?25l", StringComparison.Ordinal));
         Assert.True(text.LastIndexOf("\e[2K", StringComparison.Ordinal) > text.LastIndexOf('%'), text);
     }
@@ -58,7 +58,7 @@ public sealed class ProgressLineTests
     public void The_remaining_time_follows_from_the_elapsed_time(double value, double seconds, string expected) =>
         Assert.Equal(expected, ProgressLine.DescribeRest(value, TimeSpan.FromSeconds(seconds)));
 
-    // The bar has a thread of its own.
+    // The bar has its own thread.
     private sealed class SharedWriter : StringWriter
     {
         private readonly Lock _lock = new();

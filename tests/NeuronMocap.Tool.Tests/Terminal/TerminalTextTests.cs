@@ -16,7 +16,7 @@ public sealed class TerminalTextTests
     [InlineData("a\ufeffb\u200bc\u00add\u2060e", "a·b·c·d·e")]
     [InlineData("a\u2028b\u2029c", "a·b·c")]
     [InlineData("a\ufffeb\uffffc", "a·b·c")]
-    [InlineData("a\U000E0041b", "a·b")] // a tag, which no terminal shows
+    [InlineData("a\U000E0041b", "a·b")] // a tag, which terminals do not show
     public void Control_characters_become_dots(string text, string clean) =>
         Assert.Equal(clean, TerminalText.Clean(text));
 
@@ -28,7 +28,7 @@ public sealed class TerminalTextTests
     [InlineData("e\u0301")]
     public void Ordinary_names_are_unchanged(string name) => Assert.Same(name, TerminalText.Clean(name));
 
-    // An attribute cannot hold half of a pair.
+    // An attribute cannot hold half of a surrogate pair.
     [Fact]
     public void Halves_of_surrogate_pairs_become_dots() => Assert.Equal("a·b·", TerminalText.Clean("a\ud800b\udc00"));
 

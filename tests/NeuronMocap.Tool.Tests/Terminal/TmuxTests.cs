@@ -4,7 +4,7 @@ using NeuronMocap.Tool.Tests.Infrastructure;
 
 namespace NeuronMocap.Tool.Tests.Terminal;
 
-/// <summary>What a person sees, in a terminal.</summary>
+/// <summary>The visible screen of a terminal.</summary>
 public sealed class TmuxTests
 {
     private const string NoTmux = "There is no tmux.";
@@ -19,7 +19,7 @@ public sealed class TmuxTests
         using var client = new TcpClient();
         await client.ConnectAsync(IPEndPoint.Parse(begun[1]["Listening on ".Length..]), TestContext.Current.CancellationToken);
 
-        // Drawn again, with what has changed.
+        // Drawn again, with the changes.
         string[] shown = await terminal.WaitForAsync(static lines => lines.Any(IsProgress));
         Assert.StartsWith("Broadcasting synthetic actor", shown[0], StringComparison.Ordinal);
         Assert.StartsWith("Listening on 127.0.0.1:", shown[1], StringComparison.Ordinal);

@@ -135,7 +135,7 @@ public sealed class ExportTests : IDisposable
         Assert.Contains(result.Error, line => line.Contains(reason, StringComparison.Ordinal));
     }
 
-    // kill -9: nothing of the program runs any more, and what it had handed to the system is there.
+    // kill -9: the program ends at once, and the data that it had passed to the system is in the file.
     [Theory]
     [InlineData(1)]
     [InlineData(2)]
@@ -161,7 +161,7 @@ public sealed class ExportTests : IDisposable
         for (int frame = 0; frame < before.FrameCount; frame++)
             Assert.True(before.GetFrame(frame).SequenceEqual(after.GetFrame(frame)), $"Row {frame} differs.");
 
-        // The number that other programs go by is never more than there are.
+        // The declared number of frames, on which other programs rely, never exceeds the number of rows.
         string declared = File.ReadLines(Target).First(static line => line.StartsWith("Frames:", StringComparison.Ordinal));
         Assert.InRange(int.Parse(declared["Frames:".Length..].Trim(), System.Globalization.CultureInfo.InvariantCulture), 1, after.FrameCount);
     }
@@ -173,7 +173,7 @@ public sealed class ExportTests : IDisposable
         return values;
     }
 
-    // Null before there is a row that counts.
+    // Null before the first counted row.
     private BvhDocument? ReadShared()
     {
         using var stream = new FileStream(Target, FileMode.Open, FileAccess.Read, FileShare.ReadWrite);

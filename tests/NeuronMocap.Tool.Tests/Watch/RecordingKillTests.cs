@@ -5,8 +5,8 @@ using NeuronMocap.Tool.Tests.Infrastructure;
 namespace NeuronMocap.Tool.Tests.Watch;
 
 /// <summary>
-/// The monitor is killed while it records: everything up to the last block that was written is there. A few times in every run of the tests; as often as
-/// the variable says for whoever wants to know.
+/// Kills the monitor while it records. Everything up to the last written block must be in the files. Runs a few times with the other tests, or as
+/// often as an environment variable says.
 /// </summary>
 public sealed class RecordingKillTests
 {
@@ -64,7 +64,7 @@ public sealed class RecordingKillTests
         }
     }
 
-    // The bytes of all files, one after the other, are the beginning of what was sent; the last file may end in a block that is not whole.
+    // The bytes of all files together are the start of what was sent. The last file may end in an incomplete block.
     private static Outcome Check(DirectoryInfo folder, int sent)
     {
         FileInfo[] files = [.. folder.GetFiles().OrderBy(file => file.Name, StringComparer.Ordinal)];
@@ -72,7 +72,7 @@ public sealed class RecordingKillTests
         long cut = 0;
         foreach (FileInfo file in files)
         {
-            // The very first write of a file is its head: when not even that is there, nothing was recorded in it yet.
+            // The first write to a file is its head. Without a whole head, nothing was recorded in the file yet.
             if (file.Length < 64)
             {
                 Assert.Same(files[^1], file);

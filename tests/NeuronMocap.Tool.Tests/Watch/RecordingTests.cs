@@ -65,7 +65,7 @@ public sealed class RecordingTests : IDisposable
         };
         Assert.Contains("the disk is full.", told, StringComparison.Ordinal);
 
-        // What is told is what the file holds.
+        // The reported numbers match the content of the file.
         using RecordingReader reader = RecordingReader.Open(Path.Combine(_folder.FullName, "take.0001.nmrec"));
         Assert.Contains(result.Error, line => line.Contains($"recorded ", StringComparison.Ordinal) && line.Contains($" {reader.Totals!.Value.Bytes:#,0} bytes in", StringComparison.Ordinal));
     }

@@ -88,7 +88,7 @@ public sealed class WatchRunTests
     {
         using FrameServer server = FrameServer.Pacing(static number => FrameServer.Motion((uint)number, 1));
 
-        // Bound and not listening: it refuses, and nobody else gets the port meanwhile.
+        // Bound but not listening: it refuses connections, and no other program gets the port.
         using var refusing = new Socket(AddressFamily.InterNetwork, SocketType.Stream, ProtocolType.Tcp);
         refusing.Bind(new IPEndPoint(IPAddress.Loopback, 0));
         int port = ((IPEndPoint)refusing.LocalEndPoint!).Port;
@@ -221,7 +221,7 @@ public sealed class WatchRunTests
         return ((IPEndPoint)socket.LocalEndPoint!).Port;
     }
 
-    // Takes every line, one at a time and not fast.
+    // Takes every line, one at a time and slowly.
     private sealed class SlowStream : MemoryStream
     {
         public List<int> FrameIndices { get; } = [];

@@ -21,7 +21,7 @@ public sealed class GenericRigDriverTests : SourceFixture
         foreach (Bone bone in BoneHierarchy.Bones)
             AssertNear(driver.Performer!.GetRotation(bone), bones[bone].rotation);
 
-        // The performer's own sizes: joints are where the performer's are.
+        // With the performer's own sizes, joints are where the performer's are.
         Assert.True((driver.Performer!.GetPosition(Bone.LeftHand) - bones[Bone.LeftHand].position).magnitude < 0.01f);
     }
 

@@ -222,11 +222,11 @@ public sealed class HumanoidDriverTests : SourceFixture
         driver.FootPlanting = true;
         driver.HeightOffset = 0.02f;
 
-        // Shorter ways than the legs make: without planting the feet slide.
+        // Root motion is shorter than the legs' steps, so the feet slide without planting.
         (driver.AutomaticScale, driver.Scale) = (false, 0.6f);
         Loop.RunUntil(() => driver.IsDriving);
 
-        // A contact of which nothing is missed: on a busy machine a whole step may be between two frames, and motion and contacts come apart.
+        // A contact without missed frames. On a busy machine, a whole step may fall between two frames, and motion and contacts no longer match.
         (Vector3 Foot, Vector3 Actor, double Time)? held = null;
         bool isWhole = false;
         double shown = 0;
@@ -302,7 +302,7 @@ public sealed class HumanoidDriverTests : SourceFixture
         Loop.RunFor(0.2f);
         Quaternion motion = figure[Bone.LeftArm].localRotation;
 
-        // Nearer than what == of quaternions tells apart.
+        // Closer than the difference that == of quaternions detects.
         figure.Animator.Animating = () => figure[Bone.LeftArm].localRotation = motion * Quaternion.Euler(0.05f, 0, 0);
         driver.Weight = 0.5f;
         for (int i = 0; i < 6; i++)

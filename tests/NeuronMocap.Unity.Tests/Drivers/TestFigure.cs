@@ -4,8 +4,8 @@ using NeuronMocap.Skeleton;
 namespace NeuronMocap.Unity.Tests.Drivers;
 
 /// <summary>
-/// A Humanoid whose local axes are turned at random in the T-pose, with a twist bone between shoulder and elbow, under a root that is turned and scaled,
-/// and which stands in another pose than its rest pose once its avatar is made.
+/// A Humanoid with random local axes in the T-pose, a twist bone between shoulder and elbow, and a turned and scaled root. After its avatar is
+/// created, it is in another pose than its rest pose.
 /// </summary>
 internal sealed class TestFigure
 {
@@ -19,7 +19,7 @@ internal sealed class TestFigure
 
     public Transform this[Bone bone] => _bones[bone];
 
-    // Positions and rotations in the root, in the T-pose.
+    // Rest rotations relative to the root, in the T-pose.
     public Dictionary<Transform, Quaternion> Rest { get; } = [];
 
     public static TestFigure Build(string name, int seed = 1, float size = 0.8f)
@@ -37,7 +37,7 @@ internal sealed class TestFigure
             human.Add(new HumanBone { humanName = HumanoidBones.GetName((HumanoidBone)index), boneName = $"{name}_{source}", limit = new HumanLimit { useDefaultValues = true } });
         }
 
-        // World positions of the T-pose, mirrored, at another size; rotations are anything.
+        // World positions of the T-pose, mirrored and at another size. Rotations are random.
         var world = new BoneTransform[BoneHierarchy.BoneCount];
         SkeletonBody.GetDefault().CopyRestPose(world);
         ForwardKinematics.ToWorld(world, world);
@@ -70,7 +70,9 @@ internal sealed class TestFigure
         return driver;
     }
 
-    /// <summary>How a bone is turned in the root, away from its rest: what the performer's bone does in the world.</summary>
+    /// <summary>
+    /// Returns the turn of a bone away from its rest rotation, relative to the root. It equals the world turn of the performer's bone.
+    /// </summary>
     public Quaternion Turn(Bone bone) =>
         Quaternion.Inverse(Root.transform.rotation) * this[bone].rotation * Quaternion.Inverse(Rest[this[bone]]);
 

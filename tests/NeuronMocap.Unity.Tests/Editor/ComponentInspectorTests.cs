@@ -61,7 +61,7 @@ public sealed class ComponentInspectorTests : IDisposable
         _world.Loop.Frame();
         UnityEditor.Editor inspector = _world.Inspect(builder);
         ImmediateGui.Draw(inspector.OnInspectorGUI);
-        Assert.Equal(Dot(Severity.Good), EditorWorld.DotOf("A figure of usual sizes"));
+        Assert.Equal(Dot(Severity.Good), EditorWorld.DotOf("A figure with default sizes"));
 
         MocapSource source = Stage.AddSimulator();
         driver.Source = source;
@@ -72,7 +72,7 @@ public sealed class ComponentInspectorTests : IDisposable
         Assert.False(builder.Figure!.IsDestroyed);
 
         ImmediateGui.Draw(inspector.OnInspectorGUI);
-        Assert.Equal(Dot(Severity.Good), EditorWorld.DotOf($"A figure of the sizes of {driver.Performer!.Name}"));
+        Assert.Equal(Dot(Severity.Good), EditorWorld.DotOf($"A figure with the sizes of {driver.Performer!.Name}"));
     }
 
     [Fact]
@@ -131,7 +131,7 @@ public sealed class ComponentInspectorTests : IDisposable
         SkeletonView view = new GameObject("View").AddComponent<SkeletonView>();
         UnityEditor.Editor inspector = _world.Inspect(view);
         ImmediateGui.Draw(inspector.OnInspectorGUI);
-        Assert.Equal(Dot(Severity.Waiting), EditorWorld.DotOf("Nobody to show"));
+        Assert.Equal(Dot(Severity.Waiting), EditorWorld.DotOf("No performer to show"));
         Assert.Contains("Set Driver, or Source", Assert.Single(EditorWorld.Labels("HelpBox")), StringComparison.Ordinal);
 
         MocapSource source = Stage.AddSimulator();

@@ -56,7 +56,7 @@ public class DiagnosisTests
 
         await AskAsync(world);
 
-        // A second is too short to measure a rate of 60 with certainty: with few frames it says so.
+        // A second is too short to measure a rate of 60 with certainty. With few frames, the diagnosis says so.
         Assert.Contains(EditorWorld.Controls, static control => control.Label.StartsWith("Frames arrive", StringComparison.Ordinal));
         Assert.DoesNotContain(EditorWorld.Controls, static control => control.Kind == "HelpBox" && control.Value == "Error");
     }
@@ -130,7 +130,7 @@ public class DiagnosisTests
         Assert.True(source.IsOpen);
     }
 
-    // Clicks, waits as the editor does, and draws the answer.
+    // Clicks, waits like the editor, and draws the answer.
     private static async Task AskAsync(EditorWorld world)
     {
         var inspector = (MocapSourceEditor)world.Inspect(Object.FindObjectOfType<MocapSource>()!);

@@ -25,9 +25,9 @@ public sealed class DriverInspectorTests : IDisposable
         driver.Source = Stage.AddSimulator();
         _world.Loop.RunUntil(() => driver.IsDriving);
         ImmediateGui.Draw(inspector.OnInspectorGUI);
-        Assert.Equal(Dot(Severity.Good), EditorWorld.DotOf($"Moves after {driver.Performer}"));
+        Assert.Equal(Dot(Severity.Good), EditorWorld.DotOf($"Follows {driver.Performer}"));
 
-        // Its rest pose is taken: the check would look at the performer's pose.
+        // The rest pose is already captured, so a check would examine the performer's pose.
         Assert.DoesNotContain(FigureDriverEditor.CheckAgain, EditorWorld.Labels("Button"));
 
         driver.enabled = false;

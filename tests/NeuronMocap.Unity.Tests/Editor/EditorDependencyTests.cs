@@ -3,10 +3,10 @@ using NeuronMocap.Unity.EditorTools;
 
 namespace NeuronMocap.Unity.Tests.Editor;
 
-/// <summary>Which folders of the package's editor part may use which.</summary>
+/// <summary>Rules for the use of folders in the editor part of the package.</summary>
 public sealed class EditorDependencyTests
 {
-    // Reports are what windows and inspectors show; rigs and the diagnosis fill them. The root has what several of them draw with.
+    // Windows and inspectors show reports. Rigs and the diagnosis create them. The root has the shared drawing code.
     private static readonly DependencyRules Editor = new("/unity-package/Editor/", new Dictionary<string, string[]>(StringComparer.Ordinal)
     {
         ["Build"] = [""],

@@ -21,12 +21,12 @@ internal sealed class EditorWorld : IDisposable
 
     public static IReadOnlyList<GuiControl> Controls => ImmediateGui.Controls;
 
-    // What the last pass shows of one kind.
+    // The labels of one kind in the last pass.
     public static IEnumerable<string> Labels(string kind) => Controls.Where(control => control.Kind.Equals(kind, StringComparison.Ordinal)).Select(static control => control.Label);
 
     public static GuiControl Find(string label) => Controls.First(control => control.Label.Contains(label, StringComparison.Ordinal));
 
-    // The colour of the dot in the line of a headline.
+    // The colour of the dot in the row of a headline.
     public static Color? DotOf(string headline) => Controls.First(control => control.Row == Find(headline).Row).Color;
 
     public MocapSource AddSource(Action<MocapSource> set, string name = "Source")
@@ -46,7 +46,7 @@ internal sealed class EditorWorld : IDisposable
         return inspector;
     }
 
-    // A test that waited may go on on another thread.
+    // A test that waited may continue on another thread.
     public void Dispose()
     {
         MainThread.Claim();

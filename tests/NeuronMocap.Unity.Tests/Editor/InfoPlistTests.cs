@@ -106,10 +106,10 @@ public class InfoPlistTests
         Assert.Throws<FormatException>(() => InfoPlist.HasLocalNetworkText(text));
     }
 
-    // The entries of the outer dictionary, in their order.
+    // The entries of the outer dictionary, in order.
     private static Dictionary<string, string> Read(string plist) => XDocument.Parse(plist).Root!.Element("dict")!.Elements("key")
         .ToDictionary(static key => key.Value, static key => key.ElementsAfterSelf().First().ToString());
 
-    // Writers differ in whether a space goes before the end of an empty element.
+    // Writers differ in whether a space precedes the end of an empty element.
     private static string Lines(string text) => text.Replace(" />", "/>", StringComparison.Ordinal).ReplaceLineEndings("\n");
 }

@@ -4,8 +4,8 @@ using System.Text;
 
 namespace NeuronMocap.Unity.Tests.Editor;
 
-// Draws what the inspector of a source shows, for the documentation: its fields, not a screenshot of Unity, and the picture says so.
-// NEURONMOCAP_UPDATE_PICTURES=1 writes the file anew.
+// Draws the inspector of a source for the documentation. It shows the fields and is not a screenshot of Unity, as the picture says.
+// NEURONMOCAP_UPDATE_PICTURES=1 rewrites the file.
 public class InspectorPictureTests
 {
     private const int Width = 620;

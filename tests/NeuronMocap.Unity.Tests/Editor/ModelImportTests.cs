@@ -4,7 +4,7 @@ using UnityEditor;
 
 namespace NeuronMocap.Unity.Tests.Editor;
 
-// What the rig check changes in a model's import settings.
+// The changes of the rig check to a model's import settings.
 public sealed class ModelImportTests : IDisposable
 {
     private const string File = "Assets/Model.fbx";
@@ -37,7 +37,7 @@ public sealed class ModelImportTests : IDisposable
         SkeletonBone arm = _importer.humanDescription.skeleton.Single(bone => bone.name == _figure.GetBone(Bone.LeftArm).name);
         Assert.True(Quaternion.Angle(arm.rotation, _figure.GetBone(Bone.LeftArm).localRotation) < 12);
 
-        // The description that it began with is another's.
+        // The original description belongs to another object.
         Assert.Equal(60, Quaternion.Angle(hanging.skeleton.Single(bone => bone.name == arm.name).rotation, Quaternion.identity), 0.1f);
     }
 
@@ -112,7 +112,7 @@ public sealed class ModelImportTests : IDisposable
         Assert.Null(problem.FixLabel);
     }
 
-    // Of an avatar that could not be made Unity says that it is not human: importing it as Humanoid once more would change nothing.
+    // Unity reports an avatar that it could not create as not human. Another import as Humanoid would change nothing.
     [Fact]
     public void Missing_bones_of_an_avatar_are_named()
     {

@@ -7,7 +7,7 @@ using UnityEditor;
 
 namespace NeuronMocap.Unity.Tests.Editor;
 
-// The buttons of the window, against the real simulator.
+// The buttons of the window, with the real simulator.
 public sealed class SourceCommandsTests : IDisposable
 {
     private readonly EditorWorld _world = new(play: true);
@@ -101,7 +101,7 @@ public sealed class SourceCommandsTests : IDisposable
 
         ImmediateGui.Click(_draw, SourcePanel.Record);
 
-        Assert.Contains("the recording could not begin", Assert.Single(ConsoleLog.Problems).Message, StringComparison.Ordinal);
+        Assert.Contains("the recording could not start", Assert.Single(ConsoleLog.Problems).Message, StringComparison.Ordinal);
         ImmediateGui.Draw(_draw);
         Assert.Contains(SourcePanel.Record, EditorWorld.Labels("Button"));
     }
@@ -112,14 +112,14 @@ public sealed class SourceCommandsTests : IDisposable
         return EditorWorld.Controls.Any(control => control.Label.Contains(text, StringComparison.Ordinal));
     }
 
-    // Degrees between where the hips look and forward, seen from above.
+    // Degrees between the direction of the hips and forward, seen from above.
     private static float HeadingOf(Performer performer)
     {
         Vector3 forward = performer.GetRotation(Bone.Hips) * Vector3.forward;
         return Vector3.Angle(new Vector3(forward.x, 0, forward.z), Vector3.forward);
     }
 
-    // A slash is not for names of files.
+    // File names cannot contain a slash.
     private MocapSource AddClient(int commandPort)
     {
         MocapSource source = _world.AddSource(
@@ -129,7 +129,7 @@ public sealed class SourceCommandsTests : IDisposable
         return source;
     }
 
-    // Stands still and looks aside.
+    // Stands still and looks to the side.
     private sealed class TurnedActor(float degrees) : MotionSource
     {
         private readonly SkeletonBody _body = SkeletonBody.GetDefault();

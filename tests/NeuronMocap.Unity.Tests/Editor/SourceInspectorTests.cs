@@ -131,7 +131,7 @@ public class SourceInspectorTests
 
         ImmediateGui.Draw(world.Inspect(source).OnInspectorGUI);
 
-        Assert.Equal(ReportGui.ColorOf(Severity.Error, isDarkSkin: true), EditorWorld.DotOf("Receiving, in another rotation order"));
+        Assert.Equal(ReportGui.ColorOf(Severity.Error, isDarkSkin: true), EditorWorld.DotOf("Receiving, with another rotation order"));
         Assert.Contains(EditorWorld.Controls, static control => control.Kind == "HelpBox" && control.Value == "Error"
             && control.Label.Contains("Rotation Order", StringComparison.Ordinal));
     }

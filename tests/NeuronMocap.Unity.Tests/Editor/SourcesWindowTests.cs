@@ -45,7 +45,7 @@ public sealed class SourcesWindowTests : IDisposable
         GuiLine[] bones = [.. ImmediateGui.Lines.Where(static line => line.Width > 1)];
         Assert.Equal(58 + JointPositions.EndSiteCount, bones.Length);
 
-        // Seen from the front: right is -X, up is Y; the middle is the hips' place at 0.95 m.
+        // Seen from the front: right is -X, up is Y. The middle is the position of the hips at 0.95 m.
         _window.Preview.View.LookFromFront();
         ImmediateGui.Draw(_draw);
         Rect rect = ImmediateGui.FreeRect;

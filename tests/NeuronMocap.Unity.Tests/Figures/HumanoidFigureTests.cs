@@ -43,7 +43,7 @@ public sealed class HumanoidFigureTests : IDisposable
 
         foreach (Bone bone in BoneHierarchy.Bones)
         {
-            // In doubles and in the stream's axes, mirrored at the end.
+            // In double precision and in the stream's axes, mirrored at the end.
             double x = 0, y = 0, z = 0;
             for (Bone? step = bone; step is { } known; step = BoneHierarchy.GetParent(known, variant))
             {
@@ -100,7 +100,7 @@ public sealed class HumanoidFigureTests : IDisposable
         Assert.InRange(mesh.bounds.max.x, hand, hand + 0.05f);
         Assert.InRange(-mesh.bounds.min.x, hand, hand + 0.05f);
 
-        // At rest the bind poses put every vertex where it is.
+        // At rest, the bind poses leave every vertex in place.
         for (int i = 0; i < mesh.vertexCount; i++)
         {
             int bone = mesh.boneWeights[i].boneIndex0;
@@ -124,7 +124,7 @@ public sealed class HumanoidFigureTests : IDisposable
                 Vector3 a = mesh.vertices[corners[i]], b = mesh.vertices[corners[i + 1]], c = mesh.vertices[corners[i + 2]];
                 Vector3 normal = Vector3.Cross(b - a, c - a);
 
-                // A ball has its widest ring twice, with nothing between.
+                // A sphere has its widest ring twice, with nothing between.
                 Assert.True(normal.magnitude < 1e-9f || Vector3.Dot(normal, ((a + b + c) / 3) - centre) > 0, $"Inside out: {shape.Bone}, triangle {i / 3}.");
             }
         }
@@ -187,7 +187,7 @@ public sealed class HumanoidFigureTests : IDisposable
             Assert.Equal(Color.red, materials[0]!.GetColor("_BaseColor"));
             Assert.Equal(Color.blue, materials[1]!.GetColor("_BaseColor"));
 
-            // A player whose lit shaders were stripped still shows something.
+            // A player without lit shaders still shows the figure.
             Shader.Available.Remove("Universal Render Pipeline/Lit");
             Assert.Equal("Sprites/Default", HumanoidFigure.Build(SkeletonBody.GetDefault()).Renderer.sharedMaterials[0]!.shader.name);
         }

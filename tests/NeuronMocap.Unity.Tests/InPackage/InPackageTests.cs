@@ -1,6 +1,6 @@
 namespace NeuronMocap.Unity.Tests.InPackage;
 
-/// <summary>The tests inside the package, for those who have an editor, run here as well.</summary>
+/// <summary>Runs the tests inside the package, which are for users with an editor.</summary>
 public sealed partial class InPackageTests
 {
     public static TheoryData<string> PlayMode => PackageTest.Find("NeuronMocap.Unity.Tests.PlayMode");

@@ -7,7 +7,9 @@ using Assert = Xunit.Assert;
 
 namespace NeuronMocap.Unity.Tests.InPackage;
 
-/// <summary>Runs one test as Unity's test runner does: a new object, set up, run over as many frames as it takes, torn down, no error in the log.</summary>
+/// <summary>
+/// Runs one test as Unity's test runner does: new object, set-up, as many frames as needed, tear-down, and no error in the log.
+/// </summary>
 internal sealed class PackageTest
 {
     private const BindingFlags Public = BindingFlags.Instance | BindingFlags.Public;
@@ -82,7 +84,7 @@ internal sealed class PackageTest
         if (result is IEnumerator routine)
             running.Push(routine);
 
-        // One step a frame; a step that is itself an enumerator is gone through first.
+        // One step a frame. A step that is itself an enumerator runs to its end first.
         while (running.Count > 0)
         {
             if (!running.Peek().MoveNext())

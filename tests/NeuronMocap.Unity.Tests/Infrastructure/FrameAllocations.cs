@@ -1,9 +1,9 @@
 namespace NeuronMocap.Unity.Tests.Infrastructure;
 
-/// <summary>What rendered frames allocate on the main thread.</summary>
+/// <summary>Measures allocations of rendered frames on the main thread.</summary>
 internal static class FrameAllocations
 {
-    /// <summary>Asserts that frames of a scene, once warm, allocate nothing; other threads do not disturb the measurement.</summary>
-    /// <param name="loop">Whose scene.</param>
+    /// <summary>Asserts that frames of a scene allocate nothing after a warm-up. Other threads do not disturb the measurement.</summary>
+    /// <param name="loop">The loop of the scene.</param>
     public static void AssertNone(PlayerLoop loop) => Allocations.AssertNone(() => loop.Frame());
 }

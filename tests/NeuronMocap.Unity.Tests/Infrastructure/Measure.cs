@@ -2,13 +2,13 @@ using System.Reflection;
 
 namespace NeuronMocap.Unity.Tests.Infrastructure;
 
-/// <summary>What tests of figures and recorders ask of the engine.</summary>
+/// <summary>Measurements of the engine for tests of figures and recorders.</summary>
 internal static class Measure
 {
-    /// <summary>All that lives in the engine, assets and objects of the scene alike.</summary>
+    /// <summary>The number of live objects, both assets and objects of the scene.</summary>
     public static int LiveObjects => World.Objects.Count;
 
-    /// <summary>Bytes that a script's own callbacks allocate, per frame, while the engine runs.</summary>
+    /// <summary>Returns bytes that a script's own callbacks allocate, per frame, while the engine runs.</summary>
     public static long BytesPerFrame(PlayerLoop loop, MonoBehaviour script, params string[] callbacks)
     {
         Action[] calls = [.. callbacks.Select(name => ScriptCallbacks.Of(script.GetType()).Bind(script, name)
@@ -17,7 +17,7 @@ internal static class Measure
         return Allocations.Least(() => Run(calls, loop, 60));
     }
 
-    /// <summary>A public or private field's value.</summary>
+    /// <summary>Returns the value of a public or private field.</summary>
     public static object? Field(object item, string name) =>
         item.GetType().GetField(name, BindingFlags.Instance | BindingFlags.NonPublic | BindingFlags.Public)!.GetValue(item);
 

@@ -3,7 +3,7 @@ using System.Runtime.CompilerServices;
 
 namespace NeuronMocap.Unity.Tests.Infrastructure;
 
-/// <summary>Loads the package's assemblies, as a project does, before anything asks which there are.</summary>
+/// <summary>Loads the package's assemblies, as a project does, before other code lists them.</summary>
 internal static partial class Scripts
 {
 #pragma warning disable CA2255 // Not a library: the tests' own start.

@@ -4,10 +4,10 @@ using NeuronMocap.Server;
 
 namespace NeuronMocap.Unity.Tests.Infrastructure;
 
-/// <summary>A scene, servers for it, and at the end the proof that nothing is left running.</summary>
+/// <summary>A scene and servers for it. At the end, it asserts that nothing is left running.</summary>
 public abstract class SourceFixture : IDisposable
 {
-    /// <summary>Milliseconds.</summary>
+    /// <summary>In milliseconds.</summary>
     internal const double Quick = 100;
 
     private readonly List<Broadcaster> _servers = [];
@@ -20,7 +20,7 @@ public abstract class SourceFixture : IDisposable
         Assert.Equal(0, SourceConnections.Count);
         Assert.Empty(MocapSource.All);
 
-        // Ends when receive threads, playbacks and broadcasters have.
+        // Ends when receive threads, playbacks and broadcasters have ended.
         Assert.True(SourceConnections.Closed.Wait(Limits.Unexpected));
         foreach (Broadcaster server in _servers)
             server.Dispose();
@@ -71,8 +71,8 @@ public abstract class SourceFixture : IDisposable
     }
 
     /// <summary>
-    /// Closing is not to be noticed in a game. It takes some milliseconds; whatever waits for a time-out takes 2 s and more, in each try. A busy machine
-    /// stretches single ones.
+    /// Closing must not be noticeable in a game. It takes some milliseconds. A wait for a time-out takes 2 s or more in each attempt, while a busy
+    /// machine only delays single attempts.
     /// </summary>
     internal static void AssertQuick(Func<double> close)
     {
@@ -84,7 +84,7 @@ public abstract class SourceFixture : IDisposable
         Assert.InRange(quickest, 0, Quick);
     }
 
-    /// <returns>Milliseconds.</returns>
+    /// <returns>The time in milliseconds.</returns>
     internal static double Measure(Action action)
     {
         var watch = Stopwatch.StartNew();

@@ -41,7 +41,7 @@ internal static class Stage
         source.Performers.Count == performers && source.Performers.All(static performer => performer.HasPose && performer.IsLive);
 }
 
-/// <summary>Stands in the T-pose, in the sizes that it has at the time.</summary>
+/// <summary>An actor who stands in the T-pose, in its current sizes.</summary>
 internal sealed class StandingActor(SkeletonBody body) : MotionSource
 {
     private volatile SkeletonBody _body = body;

@@ -3,7 +3,7 @@ using NeuronMocap.Skeleton;
 
 namespace NeuronMocap.Unity.Tests.Infrastructure;
 
-/// <summary>A performance of which a test writes the values of the packets itself.</summary>
+/// <summary>A performance whose packet values a test writes itself.</summary>
 internal sealed class ValuesSource(Action<long, ChannelLayout, float[]> write, SkeletonBody? body = null) : MotionSource
 {
     public override double FrameRate => 100;

@@ -2,7 +2,7 @@ using NeuronMocap.Tests.Mono;
 
 namespace NeuronMocap.Unity.Tests.Mono;
 
-/// <summary>The package's assemblies as the editor's own runtime runs them: a source with the built-in simulator moves a figure, then play mode ends.</summary>
+/// <summary>Runs the package's assemblies on the editor's own runtime: a source with the simulator moves a figure, then play mode ends.</summary>
 public sealed class MonoPackageTests
 {
     private const string Program =
@@ -29,7 +29,7 @@ public sealed class MonoPackageTests
                     root.SetActive(true);
 
                     loop.RunUntil(delegate { return figure.Driver.IsDriving; });
-                    // Looked up each time: the figure is built anew when the performer's sizes are known.
+                    // Looked up each time, because the figure is rebuilt when the performer's sizes are known.
                     Func<Vector3> hand = delegate { return figure.Figure.Animator.GetBoneTransform(HumanBodyBones.LeftHand).position; };
                     Vector3 start = hand();
                     loop.RunUntil(delegate { return (hand() - start).magnitude > 0.05f; });
@@ -48,7 +48,7 @@ public sealed class MonoPackageTests
         }
         """;
 
-    // A thread that goes on would keep the process: the test would never see its end.
+    // A thread that continued would keep the process alive, and the test would never see its end.
     [Fact]
     public async Task A_simulated_performer_moves_a_figure_and_nothing_is_left_after_play_mode()
     {

@@ -3,7 +3,9 @@ using System.Xml.Linq;
 
 namespace NeuronMocap.Unity.Tests.Package;
 
-/// <summary>What is compiled here is what Unity compiles: each project stands for one assembly definition, with its folder, name, references and libraries.</summary>
+/// <summary>
+/// The projects compile what Unity compiles: each project stands for one assembly definition, with its folder, name, references and libraries.
+/// </summary>
 public sealed class AssemblyDefinitionTests
 {
     private static readonly string Package = Path.Combine(Repository.Root, "unity-package");
@@ -20,7 +22,7 @@ public sealed class AssemblyDefinitionTests
         bool isPlayer = project.EndsWith(".Player", StringComparison.Ordinal);
         foreach (Definition definition in GetDefinitions(folder))
         {
-            // Samples are copied one by one; here they are compiled together.
+            // Samples are copied one by one. Here they are compiled together.
             string name = folder == "Samples~" ? definition.Name[..definition.Name.LastIndexOf('.')] : definition.Name;
             Assert.Equal(name, xml.Descendants("AssemblyName").Single().Value);
             Assert.Equal(definition.References.Order(), GetReferences(xml).Order());
@@ -41,7 +43,7 @@ public sealed class AssemblyDefinitionTests
             Assert.Contains(folders, folder => relative.StartsWith(folder + "/", StringComparison.Ordinal));
         }
 
-        // Unity gives a script to the nearest definition above it: none may stand inside another one's folder.
+        // Unity assigns a script to the closest definition above it, so no definition may be inside another one's folder.
         foreach (string folder in folders.Where(static folder => folder != "Samples~"))
             Assert.Single(GetDefinitions(folder));
     }
@@ -54,7 +56,7 @@ public sealed class AssemblyDefinitionTests
         Assert.Equal(["Compatibility", "Runtime", "Samples", "Tests.PlayMode"], players.Order());
     }
 
-    // No script may be compiled for the one and not for the other but by what Unity defines.
+    // Only Unity's own symbols may decide whether a script is compiled in one build and not in the other.
     [Fact]
     public void Scripts_use_only_defined_symbols()
     {
@@ -80,7 +82,7 @@ public sealed class AssemblyDefinitionTests
             string name = Path.GetFileNameWithoutExtension(path);
             if (name == "UnityEngine.TestRunner")
             {
-                // The editor's half holds nothing that a test calls.
+                // The editor part contains nothing that a test calls.
                 yield return name;
                 yield return "UnityEditor.TestRunner";
             }

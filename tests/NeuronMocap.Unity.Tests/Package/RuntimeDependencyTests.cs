@@ -2,10 +2,10 @@ using NeuronMocap.Tests.Architecture;
 
 namespace NeuronMocap.Unity.Tests.Package;
 
-/// <summary>Which folders of the package's runtime may use which.</summary>
+/// <summary>Rules for the use of folders in the runtime part of the package.</summary>
 public sealed class RuntimeDependencyTests
 {
-    // Frames come from sources, drivers pose a rig with them. Figures are rigs that the package builds. The root converts axes and units.
+    // Frames come from sources, and drivers pose a rig with them. Figures are rigs built by the package. The root converts axes and units.
     private static readonly DependencyRules Runtime = new("/unity-package/Runtime/", new Dictionary<string, string[]>(StringComparer.Ordinal)
     {
         ["Sources"] = [""],

@@ -1,7 +1,7 @@
 namespace NeuronMocap.Unity.Tests.Package;
 
 /// <summary>
-/// A player build leaves engine classes out that no script names; GameObject.CreatePrimitive then fails on the device, says Unity's reference of it.
+/// A player build strips engine classes that no script names. According to Unity's reference, GameObject.CreatePrimitive then fails on the device.
 /// </summary>
 public sealed class StrippingTests
 {

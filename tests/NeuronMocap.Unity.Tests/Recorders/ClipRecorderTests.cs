@@ -55,7 +55,7 @@ public sealed class ClipRecorderTests : IDisposable
         recorder.StartRecording();
         for (int i = 0; i < 80; i++)
         {
-            // Twice round, and as whichever of the two quaternions.
+            // Two full turns, with either of the two quaternions.
             var turn = Quaternion.Euler(0, 9 * i, 0);
             figure.GetBone(Bone.Hips).localRotation = i % 3 == 0 ? new Quaternion(-turn.x, -turn.y, -turn.z, -turn.w) : turn;
             _loop.Frame();

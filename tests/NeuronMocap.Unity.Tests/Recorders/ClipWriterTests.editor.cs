@@ -63,7 +63,7 @@ public sealed class ClipWriterTests : IDisposable
         recorder.StartRecording();
         _loop.RunFor(0.3f);
 
-        // Long enough after the last one to be recorded.
+        // Long enough after the last frame to be recorded.
         _loop.Frame(1 / 30f);
         HumanoidFigure figure = recorder.GetComponent<FigureBuilder>().Figure!;
         ClipTake take = recorder.Take!;

@@ -24,7 +24,7 @@ public sealed class MotionRecorderTests : IDisposable
         IReadOnlyList<string>? finished = null;
         recorder.Finished += files => finished = files;
 
-        // Before the source is open: the take waits.
+        // The source is not open yet, so the take waits.
         Assert.True(recorder.StartRecording());
         _loop.RunUntil(() => recorder.Frames >= 60);
         Assert.Equal(RecorderState.Recording, recorder.State);
@@ -122,7 +122,7 @@ public sealed class MotionRecorderTests : IDisposable
         Assert.False(recorder.StartRecording());
         Assert.Contains("disabled", recorder.Problem);
 
-        // A file stands where the folder should be.
+        // A file is in the place of the folder.
         recorder.enabled = true;
         string taken = Path.Combine(_folder.FullName, "taken");
         File.WriteAllText(taken, "");
@@ -131,7 +131,7 @@ public sealed class MotionRecorderTests : IDisposable
         Assert.False(recorder.StartRecording());
         Assert.Contains("already", recorder.Problem);
         _loop.RunUntil(() => recorder.State == RecorderState.Idle);
-        Assert.Contains("cannot be begun", recorder.Problem);
+        Assert.Contains("cannot start", recorder.Problem);
     }
 
     [Fact]

@@ -37,7 +37,7 @@ public sealed class SampleSceneTests : IDisposable
             Assert.All(references, text => Assert.True(SceneFile.Reference(text) == 0 || ids.Contains(SceneFile.Reference(text)), $"{item.Id}: {text}"));
         }
 
-        // What an object lists is what says it belongs to it.
+        // The components listed by an object are those that name it as their object.
         foreach (SceneFile.Document item in scene.Documents.Where(static document => document.Class == 1))
         {
             Assert.Equal(
@@ -67,7 +67,7 @@ public sealed class SampleSceneTests : IDisposable
         Assert.NotNull(Find<Light>());
         Assert.NotNull(World.Objects.OfType<GameObject>().Single(static item => item.name == "Ground"));
 
-        // The camera looks at the figure from some metres away.
+        // The camera looks at the figure from a few metres away.
         Transform camera = Camera.main!.transform;
         _loop.RunFor(0.5f);
         Vector3 way = builder.Figure!.GetBone(Bone.Hips).position - camera.position;
@@ -112,7 +112,7 @@ public sealed class SampleSceneTests : IDisposable
         FigureBuilder builder = Find<FigureBuilder>();
         Moves(() => builder.Figure);
 
-        // The suit's own head turns as it likes.
+        // The suit's own head turns independently.
         Find<MouseLook>().Turn(30, -20);
         _loop.Frames(10);
         Assert.True(Quaternion.Angle(sample.Head!.rotation, headset.rotation) < 0.1f);
@@ -124,7 +124,7 @@ public sealed class SampleSceneTests : IDisposable
         Vector3 chest = builder.Figure!.GetBone(Bone.Spine2).forward;
         Assert.True(Vector3.Angle(Vector3.ProjectOnPlane(headset.forward, Vector3.up), Vector3.ProjectOnPlane(chest, Vector3.up)) < 3);
 
-        // The suit gets back the say that it had.
+        // The suit controls the head again.
         sample.enabled = false;
         Assert.Equal(1, sample.Driver!.PartWeights.Get(Retargeting.BodyParts.Head));
         sample.Driver.PartWeights.Set(Retargeting.BodyParts.Head, 0.5f);
@@ -171,7 +171,7 @@ public sealed class SampleSceneTests : IDisposable
         Read("Scripting").Build();
         TileGame game = Find<TileGame>();
 
-        // Whoever stands somewhere has painted a tile; whoever walks paints more.
+        // A performer who stands has painted a tile. A performer who walks paints more.
         _loop.RunUntil(() => game.PaintedTiles >= 4);
         Assert.NotEqual(Vector3.zero, game.BalloonPosition);
 

@@ -3,7 +3,7 @@ using System.Reflection;
 
 namespace NeuronMocap.Unity.Tests.Samples;
 
-/// <summary>A scene as Unity's text files have it, as far as the samples use it: read, checked, and built in the engine.</summary>
+/// <summary>A scene in Unity's text format, as far as the samples use it: read, checked, and built in the engine.</summary>
 internal sealed class SceneFile
 {
     private const int GameObjectClass = 1;
@@ -44,7 +44,7 @@ internal sealed class SceneFile
         return scene;
     }
 
-    /// <summary>The type of a script, found by the GUID of its meta.</summary>
+    /// <summary>Finds the type of a script by the GUID in its meta file.</summary>
     public static Type FindScript(string guid)
     {
         string package = System.IO.Path.Combine(Repository.Root, "unity-package");
@@ -57,7 +57,7 @@ internal sealed class SceneFile
             .Single(type => type.Name == name && type.IsSubclassOf(typeof(MonoBehaviour)));
     }
 
-    /// <summary>The field that a name in a scene means: one that Unity keeps.</summary>
+    /// <summary>Finds the serialised field for a name in a scene.</summary>
     public static FieldInfo? FindField(Type script, string name)
     {
         for (Type? type = script; type is not null; type = type.BaseType)
@@ -70,7 +70,7 @@ internal sealed class SceneFile
         return null;
     }
 
-    /// <summary>Makes the scene's objects, all set before any of them wakes.</summary>
+    /// <summary>Creates the scene's objects. All are set before any of them wakes.</summary>
     public void Build()
     {
         var objects = new Dictionary<long, Object>();
@@ -108,7 +108,7 @@ internal sealed class SceneFile
             case 20:
                 return item.AddComponent<Camera>();
             case 81:
-                // The stand-in has no ears.
+                // The stand-in has no AudioListener.
                 return item.transform;
             default:
                 var script = (MonoBehaviour)(item.GetComponent(FindScript(Guid(part))) ?? item.AddComponent(FindScript(Guid(part))));
@@ -155,7 +155,7 @@ internal sealed class SceneFile
 
         public IReadOnlyDictionary<string, string> Values => _values;
 
-        /// <summary>Of its lists.</summary>
+        /// <summary>The items of its lists.</summary>
         public IReadOnlyList<string> Items => _items;
 
         public string this[string name] => _values[name];

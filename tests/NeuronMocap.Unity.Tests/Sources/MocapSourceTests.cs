@@ -235,7 +235,7 @@ public sealed class MocapSourceTests : SourceFixture
         Assert.Contains($"UDP port {port}", source.StatusMessage, StringComparison.Ordinal);
     }
 
-    // The first server is gone for good, and its performer never.
+    // The first server never returns, and its performer is never removed.
     [Fact]
     public void A_live_performer_is_found_first()
     {

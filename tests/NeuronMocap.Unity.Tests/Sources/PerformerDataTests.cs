@@ -5,7 +5,7 @@ using NeuronMocap.Unity.Tests.Infrastructure;
 
 namespace NeuronMocap.Unity.Tests.Sources;
 
-// What a performer has beside its pose: times, sizes and contacts.
+// The data of a performer other than its pose: times, sizes and contacts.
 public sealed class PerformerDataTests : SourceFixture
 {
     [Theory]
@@ -73,7 +73,7 @@ public sealed class PerformerDataTests : SourceFixture
 
         Assert.Equal(60, performer.Body.GetOffset(Bone.LeftLeg).Length(), 0.01f);
 
-        // The pose is a short delay behind.
+        // The pose is shown with a short delay.
         Loop.RunUntil(() => Math.Abs((performer.GetPosition(Bone.LeftLeg) - performer.GetPosition(Bone.LeftUpLeg)).magnitude - 0.6f) < 1e-4f);
         Assert.Same(SkeletonBody.GetDefault(), WaitForPose(without).Body);
     }

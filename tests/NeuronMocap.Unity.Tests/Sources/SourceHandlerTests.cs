@@ -4,7 +4,7 @@ using NeuronMocap.Unity.Tests.Infrastructure;
 
 namespace NeuronMocap.Unity.Tests.Sources;
 
-/// <summary>Handlers of a source's events may do with it what they like.</summary>
+/// <summary>Handlers of a source's events may do anything with the source.</summary>
 public sealed class SourceHandlerTests : SourceFixture
 {
     [Theory]
@@ -12,7 +12,7 @@ public sealed class SourceHandlerTests : SourceFixture
     [InlineData(SourceState.Receiving)]
     public void A_state_handler_may_disable_the_source(SourceState last)
     {
-        // A connection may stand before a frame has seen it connect.
+        // A connection may open before a frame shows it connecting.
         using var hole = new BlackHole();
         MocapSource source = last == SourceState.Connecting ? Add(source => source.Port = hole.Port) : AddSimulator();
         source.StateChanged += state =>
@@ -54,7 +54,7 @@ public sealed class SourceHandlerTests : SourceFixture
         MocapSource first = AddSimulator(2);
         WaitForPose(first, 1);
 
-        // On the same connection both performers join in the same frame.
+        // On the same connection, both performers join in the same frame.
         MocapSource source = AddSimulator(2);
         source.PerformerJoined += _ => source.enabled = false;
         Loop.RunUntil(() => !source.enabled);
@@ -80,7 +80,7 @@ public sealed class SourceHandlerTests : SourceFixture
         server.Dispose();
         source.PerformerLeft += _ => source.enabled = false;
 
-        // No frame of the game before both are gone: they leave in the same one.
+        // The game renders no frame until both are gone, so they leave in the same frame.
         Assert.True(SpinWait.SpinUntil(() => performers.All(performer => SourceClock.Now - performer.Stream.LastArrival > SourceClock.ToTicks(0.2)), Limits.Unexpected));
         Loop.Frames(3);
 

@@ -145,7 +145,7 @@ public sealed class SourceLifetimeTests : SourceFixture
         return Math.Max(Measure(() => source.enabled = false), MeasureStop());
     }
 
-    // Threads, sockets and files: a connection's end is that of all of them.
+    // A connection ends when its threads, sockets and files have ended.
     private static double MeasureStop()
     {
         Assert.Equal(0, SourceConnections.Count);

@@ -1,6 +1,6 @@
 namespace NeuronMocap.Unity.Tests.StandIn;
 
-/// <summary>The recipe of a Humanoid, and that each way to get it wrong is noticed.</summary>
+/// <summary>The steps to create a Humanoid, and that each possible mistake is detected.</summary>
 public sealed class AvatarTests : IDisposable
 {
     private static readonly (HumanBodyBones Bone, HumanBodyBones? Parent, Vector3 Offset)[] Bones =
@@ -115,7 +115,7 @@ public sealed class AvatarTests : IDisposable
         Refuse("not in the skeleton", () => _description.skeleton = [.. _description.skeleton.Where(static bone => bone.name != "the LeftUpperArm")]);
 
     [Fact]
-    public void Names_of_human_bones_are_the_traits() => Refuse("is no human bone", () => _description.human[6].humanName = "LeftIndexProximal");
+    public void Names_of_human_bones_are_the_traits() => Refuse("is not a human bone", () => _description.human[6].humanName = "LeftIndexProximal");
 
     [Fact]
     public void The_fifteen_required_bones_are_mapped() => Refuse("'Head' not found", () => _description.human = [.. _description.human.Where(static bone => bone.humanName != "Head")]);

@@ -4,7 +4,7 @@ namespace NeuronMocap.Unity.Tests.StandIn;
 
 public sealed class LifecycleTests : IDisposable
 {
-    // Shorter than a step of physics, so that none falls into a frame.
+    // Shorter than a physics step, so that no step falls into a frame.
     private const float Short = 0.001f;
 
     private readonly PlayerLoop _loop = new();

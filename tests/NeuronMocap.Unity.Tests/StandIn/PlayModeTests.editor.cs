@@ -85,7 +85,7 @@ public sealed class PlayModeTests : IDisposable
         Assert.False(Application.isPlaying);
     }
 
-    // With the domain kept, statics survive: their owner's own method has to reset them.
+    // Without a domain reload, statics survive. A method of their class must reset them.
     [Fact]
     public void A_reload_resets_statics()
     {

@@ -2,12 +2,12 @@ using System.Runtime.CompilerServices;
 
 namespace NeuronMocap.Unity.Tests.StandIn;
 
-/// <summary>Notes which of its methods the engine calls.</summary>
+/// <summary>Records which of its methods the engine calls.</summary>
 internal class Probe : MonoBehaviour
 {
     public static List<string> Calls { get; } = [];
 
-    /// <summary>Names of methods that throw after they have noted the call.</summary>
+    /// <summary>Names of methods that throw after they have recorded the call.</summary>
     public static HashSet<string> Failing { get; } = [];
 
     public static void Clear()

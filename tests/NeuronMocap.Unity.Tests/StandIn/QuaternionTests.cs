@@ -2,7 +2,7 @@ using Random = System.Random;
 
 namespace NeuronMocap.Unity.Tests.StandIn;
 
-/// <summary>The rules of Unity's left-handed rotations, as its reference states them, on numbers that are known beforehand.</summary>
+/// <summary>The rules of Unity's left-handed rotations, as its reference states them, on known numbers.</summary>
 public sealed class QuaternionTests
 {
     [Theory]

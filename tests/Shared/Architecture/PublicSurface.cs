@@ -5,7 +5,7 @@ using System.Runtime.CompilerServices;
 namespace NeuronMocap.Tests.Architecture;
 
 /// <summary>
-/// Everything that a user of an assembly can see, one line for each type and member, sorted: full name first, then signature, type and
+/// Everything that a user of an assembly can see. There is one line for each type and member, sorted: full name first, then signature, type and
 /// modifiers. Lines do not depend on the build, the culture or the order of declaration.
 /// </summary>
 internal static class PublicSurface
@@ -156,7 +156,7 @@ internal static class PublicSurface
         return access + (info.IsFinal ? "" : " [virtual]");
     }
 
-    // Accessors are written with their property or event; names of the compiler's own cannot be called.
+    // Accessors are written with their property or event. Compiler-generated names cannot be called.
     private static bool IsWritten(MethodInfo method) =>
         !method.Name.Contains('<', StringComparison.Ordinal) && (!method.IsSpecialName || method.Name.StartsWith("op_", StringComparison.Ordinal));
 

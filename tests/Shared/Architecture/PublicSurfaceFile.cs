@@ -3,7 +3,7 @@ using System.Runtime.Versioning;
 
 namespace NeuronMocap.Tests.Architecture;
 
-/// <summary>The file in PublicApi that a library's public surface is compared with.</summary>
+/// <summary>The file in PublicApi for comparison with a library's public surface.</summary>
 internal static class PublicSurfaceFile
 {
     private const string UpdateVariable = "NEURONMOCAP_UPDATE_API";
@@ -46,7 +46,7 @@ internal static class PublicSurfaceFile
 
     private static string Strip(string line, string target) => line.StartsWith(target, StringComparison.Ordinal) ? line[target.Length..] : line;
 
-    // A line that was marked as this build's own stays marked; one of the other build stays unless this build has it now too.
+    // A line marked as this build's own stays marked. A line of the other build stays marked unless this build now has it too.
     private static IEnumerable<string> Updated(string[] file, IReadOnlyList<string> actual, string target)
     {
         string other = Targets.Single(one => !string.Equals(one, target, StringComparison.Ordinal));

@@ -4,7 +4,7 @@ using System.Text;
 
 namespace NeuronMocap.Tests.Architecture;
 
-/// <summary>Types, parameters and constants in the words of C#, nullable annotations included.</summary>
+/// <summary>Types, parameters and constants in C# notation, including nullable annotations.</summary>
 internal static class TypeText
 {
     private static readonly Dictionary<Type, string> Keywords = new()

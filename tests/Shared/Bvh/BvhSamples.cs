@@ -26,7 +26,7 @@ internal static class BvhSamples
 
         """;
 
-    /// <summary>Two joints, nine channels, two rows; a blank line after MOTION and a space after each row, as Axis Neuron writes.</summary>
+    /// <summary>Two joints, nine channels, two rows. There is a blank line after MOTION and a space after each row, as Axis Neuron writes.</summary>
     public const string TwoRows =
         Hierarchy + "MOTION\n\nFrames: 2\nFrame Time: 0.008\n1 2 3 4 5 6 7 8 9 \n-1 -2 -3 -4 -5 -6 -7 -8 -9 \n";
 
@@ -34,7 +34,7 @@ internal static class BvhSamples
 
     public static BvhDocument Parse(string text) => BvhDocument.Parse(Encoding.UTF8.GetBytes(text));
 
-    /// <summary>Reads the hierarchy of two joints with some lines below "Frame Time: 0.008".</summary>
+    /// <summary>Reads the hierarchy of two joints with the given lines below "Frame Time: 0.008".</summary>
     public static BvhDocument ParseRows(int frames, string rows) =>
         Parse($"{Hierarchy}MOTION\nFrames: {frames}\nFrame Time: 0.008\n{rows}");
 
@@ -69,7 +69,7 @@ internal static class BvhSamples
         AssertBits(Values(expected), Values(actual));
     }
 
-    /// <summary>A file of the 59 bones, with one row of values that are their own index.</summary>
+    /// <summary>A file of the 59 bones, with one row whose values are their own index.</summary>
     public static string Neuron(
         SkeletonVariant variant = SkeletonVariant.Neck1,
         bool displacement = false,

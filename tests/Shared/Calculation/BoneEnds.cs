@@ -8,8 +8,8 @@ using NeuronMocap.Skeleton;
 namespace NeuronMocap.Tests.Calculation;
 
 /// <summary>
-/// Exports as some servers make them: a header with Zd and the number of bones, the ends of the bones instead of their centres, thighs that begin at the
-/// hips, and no rotation for what has no sensor.
+/// Exports in the format of some servers: a header with Zd and the number of bones, ends of bones instead of their centres, thighs that start at the
+/// hips, and no rotation for bones without a sensor.
 /// </summary>
 internal static class BoneEnds
 {

@@ -3,12 +3,12 @@ using System.Text;
 
 namespace NeuronMocap.Tests.Calculation;
 
-// Rows of text that are a calculation export.
+// Rows of text of a calculation export.
 internal static class CalculationText
 {
     public static readonly string[] Takes = ["MasterLiuPerformanceChar00.calc", "hiphop_up_Char00.calc", "salsa_left_Char00.calc"];
 
-    // All values differ, save for the contact flags.
+    // All values differ, except the contact flags.
     public static float Value(int row, int column) =>
         column is 336 or 337 ? (row + column) % 2 : MathF.Round((((row * 7919) + (column * 104_729)) % 100_003) / 10_000f, 4) * (column % 3 == 0 ? -1 : 1);
 

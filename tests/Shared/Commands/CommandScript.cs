@@ -30,7 +30,7 @@ internal sealed class CommandScript : IDisposable
 
     public static CommandScript Always(byte[] payload) => new(request => request.ReplyAsync(payload));
 
-    // Each of the answers once, the last one for ever.
+    // Gives each answer once, then repeats the last one.
     public static CommandScript InTurn(params Func<ScriptedRequest, Task>[] answers) =>
         new(request => answers[Math.Min(request.Number, answers.Length - 1)](request));
 
@@ -64,7 +64,7 @@ internal sealed class CommandScript : IDisposable
             TestConnection connection = await _server.AcceptAsync(_end.Token);
             _connections.Enqueue(connection);
 
-            // Dispose may have looked before.
+            // Dispose may have run before.
             if (_end.IsCancellationRequested)
                 connection.Dispose();
 

@@ -2,7 +2,7 @@ using System.Text;
 
 namespace NeuronMocap.Tests.Commands;
 
-// Replies as protocol.md section 7 describes them, written by hand. The length field is 64 and the payload, unless told otherwise.
+// Replies as described in protocol.md section 7, written by hand. By default, the length field is 64 plus the payload.
 internal static class DataReplies
 {
     public static byte[] AvatarCount(int count) => Make(5, dataCount: 0, count, 0, []);

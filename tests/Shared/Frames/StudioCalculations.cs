@@ -3,7 +3,7 @@ using NeuronMocap.Skeleton;
 
 namespace NeuronMocap.Tests.Frames;
 
-// The fixture studio-calculation: field f of bone b holds b + f/32, and bone 4 has lost its sensor.
+// The fixture studio-calculation: field f of bone b is b + f/32, and bone 4 has lost its sensor.
 internal static class StudioCalculations
 {
     public static void AssertFixture(StudioCalculationFrame frame)

@@ -3,15 +3,17 @@ using System.Diagnostics;
 namespace NeuronMocap.Tests.Infrastructure;
 
 /// <summary>
-/// Measures what code allocates, in rounds, and takes the least of them. The runtime allocates where it compiles a method anew, and other threads of the
-/// process as they like; on a busy machine that goes on for many rounds. Code that allocates does so in each of them.
+/// Measures the allocations of code in rounds, and takes the minimum. The runtime allocates when it recompiles a method, and other threads may
+/// allocate at any time. On a busy machine that may disturb many rounds. Code that really allocates does so in every round.
 /// </summary>
 internal static class Allocations
 {
     private const int WarmUp = 50;
     private const int Rounds = 20;
 
-    /// <summary>Asserts that an action, once warm, allocates nothing on this thread. It is called up to 50 + 20 * <paramref name="calls"/> times.</summary>
+    /// <summary>
+    /// Asserts that an action allocates nothing on this thread after a warm-up. It is called up to 50 + 20 * <paramref name="calls"/> times.
+    /// </summary>
     public static void AssertNone(Action action, int calls = 100)
     {
         for (int i = 0; i < WarmUp; i++)
@@ -20,7 +22,7 @@ internal static class Allocations
         Assert.Equal(0, Least(() => OnThisThread(action, calls)));
     }
 
-    /// <summary>What an action allocates on this thread, to the byte.</summary>
+    /// <summary>Returns the exact allocations of an action on this thread.</summary>
     public static long OnThisThread(Action action, int calls = 1)
     {
         long before = GC.GetAllocatedBytesForCurrentThread();
@@ -30,7 +32,7 @@ internal static class Allocations
         return GC.GetAllocatedBytesForCurrentThread() - before;
     }
 
-    /// <summary>The least of some rounds; ends with the first that is 0.</summary>
+    /// <summary>Returns the minimum of some rounds. Ends with the first round that is 0.</summary>
     public static long Least(Func<long> measure)
     {
         long least = long.MaxValue;
@@ -41,8 +43,8 @@ internal static class Allocations
     }
 
     /// <summary>
-    /// The least that all threads allocate while an action runs, which is to take some milliseconds: ends with the first time that is enough. For tests that
-    /// run alone.
+    /// Returns the minimum of what all threads allocate while an action runs, which should take some milliseconds. Ends with the first round at or
+    /// below the limit. For tests that run alone.
     /// </summary>
     public static long LeastOfProcess(Action action, long enough = 0)
     {

@@ -1,6 +1,6 @@
 namespace NeuronMocap.Tests.Infrastructure;
 
-// Recordings and byte streams that are not part of the repository: the folder shared/data beside it, where somebody has put one.
+// Recordings and byte streams that are not part of the repository, in the folder shared/data beside it, if that exists.
 internal static class Fixtures
 {
     public static string Folder { get; } = Path.GetFullPath(Path.Combine(Repository.Root, "..", "shared", "data"));

@@ -3,13 +3,13 @@ using System.Runtime.Versioning;
 
 namespace NeuronMocap.Tests.Infrastructure;
 
-/// <summary>The build of the libraries that the tests were compiled to run against: the property LibraryFramework.</summary>
+/// <summary>The build of the libraries that the tests run with: the property LibraryFramework.</summary>
 internal static class LibraryBuild
 {
     public static bool IsNetStandard { get; } = typeof(LibraryBuild).Assembly.GetCustomAttributes<AssemblyMetadataAttribute>()
         .Single(static data => data.Key is "LibraryFramework").Value is "netstandard2.1";
 
-    /// <summary>Whether an assembly is of that build.</summary>
+    /// <summary>Returns whether an assembly is of that build.</summary>
     public static bool Holds(Assembly assembly) =>
         IsNetStandard == assembly.GetCustomAttribute<TargetFrameworkAttribute>()!.FrameworkName.StartsWith(".NETStandard", StringComparison.Ordinal);
 }

@@ -2,13 +2,13 @@ using System.Runtime.CompilerServices;
 
 namespace NeuronMocap.Tests.Infrastructure;
 
-/// <summary>Waits for things that happen at once unless something is broken.</summary>
+/// <summary>Waits for things that happen at once unless there is a fault.</summary>
 internal static class Limits
 {
-    // Far longer than anything ever takes, so that only a failure reaches it.
+    // Far longer than any usual wait, so that only a failure reaches it.
     public static readonly TimeSpan Unexpected = TimeSpan.FromSeconds(60);
 
-    // The pool makes new threads slowly: tests that block some would hold up all others for seconds.
+    // The pool creates new threads slowly, so tests that block some threads would delay all others for seconds.
     [ModuleInitializer]
     internal static void SetMinThreads()
     {
@@ -23,7 +23,7 @@ internal static class Limits
 
     public static Task<T> Soon<T>(this ValueTask<T> task) => task.AsTask().Soon();
 
-    // The least of some tries. A busy machine holds up single ones; what waits for a time-out in vain does so in each.
+    // The minimum of some attempts. A busy machine delays single attempts. A wait for a time-out is slow in every attempt.
     public static async Task<TimeSpan> QuickestAsync(TimeSpan enough, Func<Task<TimeSpan>> attempt)
     {
         const int Tries = 20;
@@ -37,7 +37,7 @@ internal static class Limits
         return quickest;
     }
 
-    // For what another thread is about to do, where there is nothing to wait on.
+    // For work that another thread is about to do, if there is no event to wait for.
     public static async Task UntilAsync(Func<bool> condition)
     {
         using var limit = CancellationTokenSource.CreateLinkedTokenSource(TestContext.Current.CancellationToken);

@@ -5,8 +5,8 @@ namespace NeuronMocap.Tests.Infrastructure;
 internal sealed record FoundPacket(PacketKind Kind, byte[] Bytes);
 
 /// <summary>
-/// Reads a stream with a <see cref="PacketScanner"/> as its contract asks a caller to: keeps what was not used up, and waits for the length
-/// that was asked for. Checks every answer against the contract on the way.
+/// Reads a stream with a <see cref="PacketScanner"/> as its contract requires: keeps unused bytes, and waits for the requested length. Checks every
+/// answer against the contract.
 /// </summary>
 internal sealed class ScanAll
 {
@@ -28,10 +28,10 @@ internal sealed class ScanAll
 
     public int Calls { get; private set; }
 
-    /// <summary>The answers that asked to wait, in order.</summary>
+    /// <summary>The lengths of answers that requested more bytes, in order.</summary>
     public List<int> Waits { get; } = [];
 
-    /// <summary>Bytes that may still become a packet.</summary>
+    /// <summary>The number of bytes that may still become a packet.</summary>
     public int Pending => _end - _start;
 
     public static ScanAll Of(IEnumerable<ArraySegment<byte>> pieces, PacketScanner? scanner = null)
@@ -56,7 +56,7 @@ internal sealed class ScanAll
     {
         ScanResult result = _scanner.Scan(given);
         Calls++;
-        Assert.True(result.Length > 0, "An answer of length zero makes no progress.");
+        Assert.True(result.Length > 0, "An answer of length zero does not advance.");
         if (result.Status == ScanStatus.NeedMoreData)
         {
             Assert.True(result.Length > given.Length, $"{given.Length} bytes are there, {result.Length} were asked for.");

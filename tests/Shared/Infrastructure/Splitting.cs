@@ -4,7 +4,7 @@ using Xunit.v3;
 
 namespace NeuronMocap.Tests.Infrastructure;
 
-/// <summary>A way in which the same bytes can arrive.</summary>
+/// <summary>Specifies how the same bytes arrive.</summary>
 public enum Splitting
 {
     Whole,
@@ -18,7 +18,7 @@ public enum Splitting
 
 internal static class Splits
 {
-    /// <summary>Cuts bytes up: one list of pieces for each variant of the splitting.</summary>
+    /// <summary>Divides bytes: one list of pieces for each variant of the splitting.</summary>
     public static IEnumerable<IEnumerable<ArraySegment<byte>>> Of(byte[] bytes, Splitting splitting) => splitting switch
     {
         Splitting.Whole => [[bytes]],
@@ -31,7 +31,7 @@ internal static class Splits
         _ => throw new ArgumentOutOfRangeException(nameof(splitting)),
     };
 
-    /// <summary>Cuts bytes into pieces of random sizes, small ones more often.</summary>
+    /// <summary>Divides bytes into pieces of random sizes, most of them small.</summary>
     public static IEnumerable<ArraySegment<byte>> Random(byte[] bytes, Random random)
     {
         for (int start = 0; start < bytes.Length;)
@@ -52,7 +52,7 @@ internal static class Splits
     }
 }
 
-/// <summary>Runs a theory once for each <see cref="Splitting"/>, its last parameter; with names, once for each name and splitting.</summary>
+/// <summary>Runs a theory once for each <see cref="Splitting"/>, its last parameter. With names, runs it once for each name and splitting.</summary>
 [AttributeUsage(AttributeTargets.Method)]
 public sealed class EverySplittingAttribute(params string[] names) : DataAttribute
 {

@@ -4,10 +4,10 @@ using Mono.Cecil;
 namespace NeuronMocap.Tests.Mono;
 
 /// <summary>
-/// Debian's Mono, the nearest there is to the runtime of Unity's editor: compiles a program of C# files against copies of the netstandard2.1
+/// Debian's Mono, the closest available runtime to that of Unity's editor. Compiles a program of C# files against copies of the netstandard2.1
 /// assemblies, and runs it.
 /// </summary>
-/// <param name="others">Assemblies that the program sees beside the library's.</param>
+/// <param name="others">Assemblies that the program references in addition to the library's.</param>
 internal sealed class MonoProgram(params string[] others) : IDisposable
 {
     private const string Runtime = "/usr/bin/mono";
@@ -47,8 +47,8 @@ internal sealed class MonoProgram(params string[] others) : IDisposable
 
     public void Dispose() => Directory.Delete(_folder, recursive: true);
 
-    // Debian built that Mono's own library without the modifier that references to members of ReadOnlySpan carry for their read-only results, and
-    // then does not find the members. Unity's has it.
+    // References to members of ReadOnlySpan with read-only results carry a modifier. Debian built Mono's own library without that modifier, so Mono
+    // does not find the members. Unity's library has it.
     private static void Adapt(string source, string target)
     {
         using var module = ModuleDefinition.ReadModule(source, new ReaderParameters(ReadingMode.Immediate));

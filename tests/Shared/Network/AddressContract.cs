@@ -2,7 +2,7 @@ using System.Net;
 
 namespace NeuronMocap.Tests.Network;
 
-/// <summary>How people write addresses, for everything that reads them.</summary>
+/// <summary>The ways in which users write addresses, for all code that reads them.</summary>
 public abstract class AddressContract
 {
     [Theory]
@@ -77,9 +77,9 @@ public abstract class AddressContract
     }
 
     /// <summary>Reads an address.</summary>
-    /// <exception cref="FormatException">It is not one; the message is the one that people see.</exception>
+    /// <exception cref="FormatException">The text is not an address. The message is the one that users see.</exception>
     protected abstract Address Parse(string address);
 
-    /// <summary>What was read; the host of a server, the local address of a port of this computer.</summary>
+    /// <summary>The result. Host is that of a server. LocalAddress is that of a port of this computer.</summary>
     protected sealed record Address(TransportKind Transport, string Host, int Port, IPAddress? LocalAddress);
 }

@@ -3,7 +3,7 @@ using System.Net.Sockets;
 
 namespace NeuronMocap.Tests.Network;
 
-// A port that answers no connection attempt: its listener accepts nothing and its queue is full, so the system drops what arrives.
+// A port that answers no connection attempt. Its listener accepts nothing and its queue is full, so the system drops further attempts.
 internal sealed class BlackHole : IDisposable
 {
     private readonly Socket _listener = new(AddressFamily.InterNetwork, SocketType.Stream, ProtocolType.Tcp);
@@ -14,7 +14,8 @@ internal sealed class BlackHole : IDisposable
         _listener.Bind(new IPEndPoint(IPAddress.Loopback, 0));
         _listener.Listen(backlog: 1);
 
-        // Those that do not connect find the queue full. Two of them, asked without the help of another thread: one may merely be late.
+        // Attempts that do not connect found the queue full. It needs two of them, made without another thread, because a single one may merely be
+        // late.
         for (int unanswered = 0; unanswered < 2;)
         {
             if (!TryConnect())

@@ -5,7 +5,7 @@ namespace NeuronMocap.Tests.Network;
 
 internal static class FreePort
 {
-    // The vendor's functions want a number and tell none. That another program takes the port in between would be a rare chance.
+    // The vendor's functions require a port number and do not return one. It is unlikely that another program takes the port in between.
     public static int Udp()
     {
         using var socket = new Socket(AddressFamily.InterNetwork, SocketType.Dgram, ProtocolType.Udp);

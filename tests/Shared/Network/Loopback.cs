@@ -3,10 +3,10 @@ using System.Net.Sockets;
 
 namespace NeuronMocap.Tests.Network;
 
-// What this machine's loopback network can do.
+// The abilities of this machine's loopback network.
 internal static class Loopback
 {
-    // macOS has 127.0.0.1 alone; other systems have all of 127.0.0.0/8.
+    // macOS has only 127.0.0.1. Other systems have all of 127.0.0.0/8.
     public static bool HasManyAddresses { get; } = CanBind(IPAddress.Parse("127.0.77.1"));
 
     public static bool HasIPv6 { get; } = CanBind(IPAddress.IPv6Loopback);

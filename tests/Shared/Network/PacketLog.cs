@@ -2,7 +2,7 @@ using NeuronMocap.Protocol;
 
 namespace NeuronMocap.Tests.Network;
 
-// Receives packets as the receive path does, and keeps copies.
+// Receives packets like the receive path, and keeps copies.
 internal sealed class PacketLog : IPacketReceiver
 {
     public List<(PacketKind Kind, byte[] Bytes, int Sender)> Packets { get; } = [];
@@ -11,7 +11,7 @@ internal sealed class PacketLog : IPacketReceiver
 
     public int Skipped { get; private set; }
 
-    /// <summary>Bytes of the text stream: of lines and of what stands behind them.</summary>
+    /// <summary>The number of bytes of the text stream: in lines and after them.</summary>
     public int Text { get; private set; }
 
     public List<SkipReason> Reasons { get; } = [];

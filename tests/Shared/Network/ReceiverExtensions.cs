@@ -4,7 +4,7 @@ namespace NeuronMocap.Tests.Network;
 
 internal static class ReceiverExtensions
 {
-    // A reader of a TCP server that waits as the test says, not as the number of the process's connections has it.
+    // A reader of a TCP server that waits as the test says, independent of the number of connections in the process.
     public static NeuronReader CreateReader(this NeuronReaderOptions options, Func<TcpReceiver> takeReceiver) =>
         new(options, () => new TcpLink(options.Link with { TakeReceiver = _ => takeReceiver() }));
 }

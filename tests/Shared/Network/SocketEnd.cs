@@ -4,7 +4,7 @@ namespace NeuronMocap.Tests.Network;
 
 internal static class SocketEnd
 {
-    // In an orderly way or not: that depends on what was under way.
+    // Gracefully or by a reset, depending on the data in transit.
     public static bool HasEnded(this Socket socket)
     {
         try

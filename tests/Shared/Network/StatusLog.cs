@@ -1,6 +1,6 @@
 namespace NeuronMocap.Tests.Network;
 
-// Every status that a reader told, and a way to wait for one.
+// Every status that a reader reported, and a way to wait for one.
 internal sealed class StatusLog
 {
     private readonly object _lock = new();

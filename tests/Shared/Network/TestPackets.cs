@@ -5,7 +5,7 @@ using NeuronMocap.Protocol;
 
 namespace NeuronMocap.Tests.Network;
 
-// Packets whose values tell where they belong: value i of frame n of avatar a is n + a / 8 + i / 1024, exact in binary32.
+// Packets whose values identify their place: value i of frame n of avatar a is n + a / 8 + i / 1024, exact in binary32.
 internal static class TestPackets
 {
     public static float Value(int frame, int avatar, int index) => frame + (avatar / 8f) + (index / 1024f);
@@ -34,7 +34,7 @@ internal static class TestPackets
         return packet;
     }
 
-    // A frame's line, each value in as many digits as it takes to be exact.
+    // A frame's line. Each value has as many digits as it needs to be exact.
     public static byte[] Line(int frame, int avatar = 0, int count = 354, string? lead = null, string separator = " ", string end = " ||\r\n") =>
         Encoding.UTF8.GetBytes((lead ?? $"{avatar} Char00 ") + string.Join(separator, Values(frame, avatar, count).Select(
             static value => value.ToString("R", CultureInfo.InvariantCulture))) + end);

@@ -3,7 +3,7 @@ using System.Net.Sockets;
 
 namespace NeuronMocap.Tests.Network;
 
-// A TCP server that a test drives step by step.
+// A TCP server that a test controls step by step.
 internal sealed partial class TestServer : IDisposable
 {
     private readonly TcpListener _listener;
@@ -21,7 +21,7 @@ internal sealed partial class TestServer : IDisposable
 
     public int Port => ((IPEndPoint)_listener.LocalEndpoint).Port;
 
-    // A busy machine holds threads up for seconds: what is not meant to be silent, or to be left behind by a stop, is given time.
+    // A busy machine delays threads for seconds, so connections that should not be silent, or abandoned by a stop, get more time.
     public NeuronReaderOptions Options(bool reconnect = false)
     {
         var options = new NeuronReaderOptions
@@ -52,7 +52,7 @@ internal sealed partial class TestServer : IDisposable
 
     public void Dispose() => _listener.Dispose();
 
-    // Only some of the test projects see it.
+    // Only some of the test projects can access it.
     static partial void SetStopTimeout(NeuronReaderOptions options);
 }
 
@@ -78,14 +78,14 @@ internal sealed class TestConnection : IDisposable
             await SendAsync(bytes.AsMemory(start, Math.Min(size, bytes.Length - start)));
     }
 
-    // An orderly end: everything sent before arrives.
+    // A graceful end: everything sent before arrives.
     public void Close()
     {
         Socket.Shutdown(SocketShutdown.Send);
         Socket.Dispose();
     }
 
-    // A connection that is cut off.
+    // An abortive end.
     public void Reset()
     {
         Socket.LingerState = new LingerOption(enable: true, seconds: 0);

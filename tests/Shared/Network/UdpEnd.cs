@@ -3,7 +3,7 @@ using System.Net.Sockets;
 
 namespace NeuronMocap.Tests.Network;
 
-// A reader's UDP port, and those who send to it: never more at a time than the system keeps for it.
+// A reader's UDP port and its senders. Never sends more at a time than the system buffers.
 internal sealed class UdpEnd(NeuronReader reader) : IAsyncDisposable
 {
     private readonly List<Socket> _sockets = [];
@@ -30,7 +30,7 @@ internal sealed class UdpEnd(NeuronReader reader) : IAsyncDisposable
         return new UdpEnd(reader);
     }
 
-    // A socket that sends from an address of its own.
+    // A socket that sends from its own address.
     public Socket CreateSender(string? address = null)
     {
         IPAddress from = address is null ? EndPoint.Address : IPAddress.Parse(address);
@@ -41,7 +41,7 @@ internal sealed class UdpEnd(NeuronReader reader) : IAsyncDisposable
         return socket;
     }
 
-    // Waits from time to time until what was sent has been taken in, packets that are not yet whole left aside.
+    // Waits at intervals until the reader has received what was sent, except for incomplete packets.
     public async Task SendAsync(Socket socket, ReadOnlyMemory<byte> datagram)
     {
         socket.Send(datagram.Span);
@@ -58,7 +58,7 @@ internal sealed class UdpEnd(NeuronReader reader) : IAsyncDisposable
         await reader.DisposeAsync();
     }
 
-    // What waits in the port's buffer, as the system tells it; elsewhere the time of a few datagrams has to do.
+    // Whether the port's buffer is empty, as reported by the system. On other systems, waits for the time of a few datagrams.
     private bool IsEmpty()
     {
         if (!OperatingSystem.IsLinux())

@@ -3,7 +3,7 @@ using NeuronMocap.Recording;
 
 namespace NeuronMocap.Tests.Playback;
 
-/// <summary>A clock that is moved on by whoever waits for it: what is due later is due at once.</summary>
+/// <summary>A clock that each wait advances, so that everything is due at once.</summary>
 internal sealed class FakeTime : PlaybackTime
 {
     public const long Start = 1_000_000_000_000;
@@ -12,10 +12,10 @@ internal sealed class FakeTime : PlaybackTime
 
     public override long Now => Volatile.Read(ref _now);
 
-    /// <summary>Waits that were asked for, in milliseconds since the start.</summary>
+    /// <summary>The requested waits, in milliseconds since the start.</summary>
     public List<double> Waits { get; } = [];
 
-    /// <summary>Called in the middle of each wait, under the player's lock.</summary>
+    /// <summary>Called during each wait, while the player's lock is held.</summary>
     public Action<double>? Waiting { get; set; }
 
     public static double MillisecondsOf(long instant) => (instant - Start) * 1000.0 / Stopwatch.Frequency;

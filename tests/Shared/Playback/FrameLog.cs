@@ -1,6 +1,6 @@
 namespace NeuronMocap.Tests.Playback;
 
-/// <summary>Every frame of a reader, as a line, with its timestamp.</summary>
+/// <summary>Every frame of a reader as a line, with its timestamp.</summary>
 internal sealed class FrameLog : IDisposable
 {
     private readonly object _lock = new();

@@ -2,7 +2,7 @@ using NeuronMocap.Recording;
 
 namespace NeuronMocap.Tests.Playback;
 
-/// <summary>Files for playback, gone with the test.</summary>
+/// <summary>Files for playback, deleted with the test.</summary>
 internal sealed class TemporaryFile : IDisposable
 {
     public TemporaryFile(byte[]? content = null, string extension = ".nmrec")
@@ -19,7 +19,7 @@ internal sealed class TemporaryFile : IDisposable
 
 internal static class Recordings
 {
-    /// <summary>A recording of one TCP connection: pieces with their times in milliseconds, closed at the end.</summary>
+    /// <summary>A recording of one TCP connection: pieces with their times in milliseconds. It is closed at the end.</summary>
     public static TemporaryFile OfTcp(params (double Milliseconds, byte[] Bytes)[] pieces) => Write(writer =>
     {
         writer.OpenConnection(TimeSpan.Zero, new RecordedConnection(0, TransportKind.Tcp, "127.0.0.1:50000", "127.0.0.1:7001"));

@@ -4,7 +4,7 @@ using NeuronMocap.Skeleton;
 
 namespace NeuronMocap.Tests.Server;
 
-// A calculation export, broadcast and received over real TCP.
+// A calculation export that is broadcast and received over real TCP.
 internal static class CalculationBroadcast
 {
     public static async Task<List<CalculationFrame>> ReceiveAsync(CalculationDocument document, BroadcastFormat format)

@@ -5,7 +5,7 @@ using NeuronMocap.Skeleton;
 
 namespace NeuronMocap.Tests.Server;
 
-// What must stand in the packets of a broadcast, from the options and the source alone.
+// The expected packets of a broadcast, from the options and the source alone.
 internal static class Expect
 {
     // Options for a broadcast of test sources on a free port.
@@ -17,7 +17,7 @@ internal static class Expect
         CloseTimeout = Limits.Unexpected,
     };
 
-    // The frames from first on, complete and in order: per avatar a motion packet and, if asked for, a calculation packet.
+    // The frames from first on, complete and in order: for each avatar a motion packet and, on request, a calculation packet.
     public static void Frames(IReadOnlyList<byte[]> packets, BroadcasterOptions options, long count, long first = 0)
     {
         int perAvatar = options.Calculation is null && options.StudioCalculation is null ? 1 : 2;
@@ -36,11 +36,11 @@ internal static class Expect
         }
     }
 
-    // What the port of the motion carries where calculation has a port of its own.
+    // The packets on the motion port if calculation data has its own port.
     public static void MotionFrames(IReadOnlyList<byte[]> packets, BroadcasterOptions options, long count) =>
         All(packets, options, count, Motion);
 
-    // What a port carries that has no motion.
+    // The packets on a port without motion.
     public static void CalculationFrames(IReadOnlyList<byte[]> packets, BroadcasterOptions options, long count) =>
         All(packets, options, count, options.StudioCalculation is null ? Calculation : StudioCalculation);
 
@@ -99,7 +99,7 @@ internal static class Expect
             check(packets[i], options, i % avatars, i / avatars);
     }
 
-    // As bytes: two not-a-numbers are equal only if their bits are.
+    // Compared as bytes: two NaN values are equal only if their bits are.
     private static void AssertBits(ReadOnlySpan<float> expected, byte[] packet) =>
         Assert.True(MemoryMarshal.AsBytes(expected).SequenceEqual(packet.AsSpan(ProtocolConstants.HeaderSize)));
 }

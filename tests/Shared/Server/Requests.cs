@@ -1,6 +1,6 @@
 namespace NeuronMocap.Tests.Server;
 
-// Requests as the vendor's b12 library sends them, written by hand: only the first four bytes of the parameters mean something.
+// Requests of the vendor's b12 library, written by hand. Only the first four bytes of the parameters have a meaning.
 internal static class Requests
 {
     public static byte[] Create(int id, int parameter, uint dataCount = 0)

@@ -3,7 +3,7 @@ using NeuronMocap.Skeleton;
 
 namespace NeuronMocap.Tests.Server;
 
-// Values that tell frame, layout, order, index and avatar apart, over all bit patterns: not-a-number and negative zero among them.
+// Values that identify frame, layout, order, index and avatar, over all bit patterns, including NaN and negative zero.
 internal sealed class TestSource(int seed = 0, long? frameCount = null) : MotionSource
 {
     private readonly int _seed = seed;
@@ -24,7 +24,7 @@ internal sealed class TestSource(int seed = 0, long? frameCount = null) : Motion
         Fill(values, Mix(_seed, (int)frame, layout.ValueCount, (int)order));
     }
 
-    // As a CalculationProvider, for avatars that nobody turns.
+    // As a CalculationProvider, for avatars that are not turned.
     public static void WriteCalculation(MotionSource source, long frame, Span<float> values)
     {
         Assert.Equal(946, values.Length);

@@ -1,13 +1,13 @@
 namespace NeuronMocap.Tests.Infrastructure;
 
-/// <summary>A byte stream that another encoder than the library's has written, and what must come out of it.</summary>
+/// <summary>A byte stream written by another encoder than the library's, and its expected packets.</summary>
 internal sealed record StreamFixture(byte[] Bytes, IReadOnlyList<ExpectedPacket> Expected)
 {
-    /// <summary>The stream that <see cref="WireEncoder"/> writes for a name of <see cref="WrittenStreams"/>.</summary>
+    /// <summary>Loads the stream that <see cref="WireEncoder"/> writes for a name of <see cref="WrittenStreams"/>.</summary>
     public static StreamFixture Load(string name) => WrittenStreams.Write(name);
 }
 
-/// <summary>One packet of a <see cref="StreamFixture"/>; null is a field that the packet's kind or layout does not carry.</summary>
+/// <summary>One packet of a <see cref="StreamFixture"/>. Fields that its kind or layout does not carry are null.</summary>
 internal sealed record ExpectedPacket(
     string Type,
     string? Layout,

@@ -1,6 +1,6 @@
 namespace NeuronMocap.Tests.Infrastructure;
 
-/// <summary>Bytes put together by hand, one field after the other, without any code of the library.</summary>
+/// <summary>Bytes assembled by hand, field by field, without code of the library.</summary>
 internal sealed class WireBytes
 {
     private readonly List<byte> _bytes = [];

@@ -4,8 +4,8 @@ using System.Text;
 namespace NeuronMocap.Tests.Infrastructure;
 
 /// <summary>
-/// Writes streams field by field, after the tables of protocol.md section 2, and keeps what a reader must make of each packet. It shares no code
-/// with the library.
+/// Writes streams field by field, from the tables of protocol.md section 2, and keeps the expected result of each packet. It shares no code with the
+/// library.
 /// </summary>
 internal sealed class WireEncoder
 {
@@ -30,7 +30,7 @@ internal sealed class WireEncoder
         return Raw(NewHeader(values.Length, index, avatar, name, displacement, reference, version, reserved).Floats(values));
     }
 
-    /// <summary>A motion packet of the New layout that carries no values, and that nobody gets.</summary>
+    /// <summary>A motion packet of the New layout without values, which no consumer receives.</summary>
     public WireEncoder NewWithoutValues() => Raw(NewHeader(0, 1, 0, "Char00", displacement: true, reference: false, "1.1.0.0", [0, 0, 0]));
 
     /// <summary>A motion packet of the Old layout (section 2.2).</summary>
@@ -41,7 +41,7 @@ internal sealed class WireEncoder
             .U32((uint)avatar).Bytes(Encoding.UTF8.GetBytes(name), 32).U32(0).U32(0).Hex("FF EE").Floats(values));
     }
 
-    /// <summary>A line of the text stream, two decimals a value (section 2.5). A reader gets the rounded values.</summary>
+    /// <summary>A line of the text stream with two decimals for each value (section 2.5). A reader receives the rounded values.</summary>
     public WireEncoder Line(float[] values, int avatar, string name)
     {
         string[] words = [.. values.Select(static value => value.ToString("F2", CultureInfo.InvariantCulture))];
@@ -57,7 +57,7 @@ internal sealed class WireEncoder
             .U32(0).U32(0).U32(0).Hex("FF 99").Floats(values));
     }
 
-    /// <summary>A calculation packet of Axis Studio (section 2.4): field f of bone b holds b + f/32, and bone 4 has lost its sensor.</summary>
+    /// <summary>A calculation packet of Axis Studio (section 2.4): field f of bone b is b + f/32, and bone 4 has lost its sensor.</summary>
     public WireEncoder StudioCalculation(int bones, uint index)
     {
         var packet = new WireBytes().Hex("CF DC 00 00 00 02").U32((uint)(bones * 84)).U32(0).Ascii("chr00", 32).U32(index).U32(0).U32(0xFE).U32(0).Hex("CF EC");
@@ -68,7 +68,7 @@ internal sealed class WireEncoder
         return Raw(packet);
     }
 
-    /// <summary>An old command packet (section 2.6), which is no frame.</summary>
+    /// <summary>An old command packet (section 2.6), which is not a frame.</summary>
     public WireEncoder Command() => Raw(new WireBytes().Hex("FF AA 02 00 00 01").U32(64).U32(0).U32(2).Zeros(40).U32(0).Hex("FF BB"));
 
     public WireEncoder Raw(WireBytes bytes) => Raw(bytes.ToArray());

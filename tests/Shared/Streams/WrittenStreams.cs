@@ -1,12 +1,12 @@
 namespace NeuronMocap.Tests.Infrastructure;
 
-/// <summary>A stream of every kind of packet, each under the name of the stream of the same kind in shared/data.</summary>
+/// <summary>A stream of every kind of packet, each with the name of the corresponding stream in shared/data.</summary>
 internal static class WrittenStreams
 {
     public static TheoryData<string> Names =>
         ["new-180", "new-186", "new-354", "new-360", "old-354", "studio-354", "calculation", "mixed", "zero-count", "text", "studio-calculation"];
 
-    // Noise, a token 1 without its token 2, a single byte of a token, and a token that is split by other bytes.
+    // Noise, a first token without its second token, a single byte of a token, and a token split by other bytes.
     private static readonly byte[] Noise = [.. Enumerable.Range(0, 61).Select(static i => (byte)(i * 37)), 0xFF, 0xDD, .. new byte[70]];
 
     public static StreamFixture Write(string name) => (name switch
@@ -51,7 +51,7 @@ internal static class WrittenStreams
         .Command()
         .New(Values(6, 180), 2, 1, "Bob");
 
-    // Angles and lengths as a suit sends them, negative zeros and very small numbers among them.
+    // Angles and lengths as a suit sends them, including negative zeros and very small numbers.
     private static float[] Values(int frame, int count)
     {
         var random = new Random((1000 * count) + frame);
@@ -70,7 +70,7 @@ internal static class WrittenStreams
         return values;
     }
 
-    // The flags of a calculation packet: the left foot stands, the right one does not.
+    // The flags of a calculation packet: the left foot touches the ground, the right foot does not.
     private static float[] Contacts(float[] values)
     {
         (values[336], values[337]) = (1, 0);

@@ -6,7 +6,7 @@ using NeuronMocap.Tests.Network;
 
 namespace NeuronMocap.Tests.Vendor;
 
-// Commands on a connection of their own, as b17 and b18 have them. channel.c in tests/native describes the lines.
+// Commands on their own connection, as in b17 and b18. channel.c in tests/native describes the lines.
 public abstract class CommandChannelContract
 {
     private const string Bvh = "HIERARCHY\nROOT Hips\n{\n OFFSET 0 0 0\n CHANNELS 6 Xposition Yposition Zposition Yrotation Xrotation Zrotation\n"
@@ -16,7 +16,7 @@ public abstract class CommandChannelContract
 
     private protected abstract VendorDriver Start();
 
-    /// <summary>A program that registers callbacks, too.</summary>
+    /// <summary>Starts a program that also registers callbacks.</summary>
     private protected abstract VendorDriver StartWithCallbacks();
 
     [Fact]
@@ -26,7 +26,7 @@ public abstract class CommandChannelContract
         await AskForEverythingAsync(driver);
     }
 
-    // A zero byte follows the text where there is room, and nothing is written behind the room.
+    // A zero byte follows the text if there is room. Nothing is written beyond the room.
     [Fact]
     public async Task The_header_fills_the_given_memory()
     {
@@ -44,7 +44,7 @@ public abstract class CommandChannelContract
         Assert.Equal("0 ", await driver.CallAsync($"header {pipe} 0 -5"));
         Assert.Equal(asked, server.Requests);
 
-        // No answer leaves the memory alone.
+        // Without an answer, the memory is not changed.
         Assert.Equal("0 xxxx", await driver.CallAsync($"header {pipe} -1 4"));
     }
 
@@ -68,7 +68,7 @@ public abstract class CommandChannelContract
         connection.Dispose();
     }
 
-    // Protocol.md section 6: which answers count.
+    // protocol.md section 6: which answers count.
     [Fact]
     public async Task Only_valid_answers_count()
     {
@@ -103,7 +103,7 @@ public abstract class CommandChannelContract
         }
     }
 
-    // A root whose offset stands directly behind its brace, and other text that nobody would send. The program is told, and lives.
+    // A root whose offset directly follows its brace, and other unusual text. The program is informed and continues.
     [Theory]
     [InlineData("HIERARCHY\nROOT i\n{OFFSET")]
     [InlineData("HIERARCHY")]
@@ -125,7 +125,7 @@ public abstract class CommandChannelContract
         await driver.EndAsync();
     }
 
-    // The vendor's library takes another command's answer for its own, closes the connection after a time-out, and gives its dead handle again.
+    // The vendor's library takes another command's answer for its own, closes the connection after a time-out, and returns its dead handle again.
     [Fact]
     public async Task The_handle_works_after_a_time_out()
     {
@@ -159,7 +159,7 @@ public abstract class CommandChannelContract
         Assert.EndsWith(" 11001", await driver.CallAsync("error"), StringComparison.Ordinal);
     }
 
-    // The vendor's library goes on saying that it runs.
+    // The vendor's library still reports that it runs.
     [Fact]
     public async Task The_status_shows_that_the_server_closed_an_idle_connection()
     {
@@ -228,7 +228,7 @@ public abstract class CommandChannelContract
         await driver.EndAsync();
     }
 
-    /// <summary>Answers every command; zero out is done for avatar 0.</summary>
+    /// <summary>Answers every command. Zero out succeeds for avatar 0.</summary>
     private protected static CommandScript Answers() => new(static request => request.Id switch
     {
         1001 => request.ReplyAsync([request.Avatar == 0 ? (byte)1 : (byte)0, 0, 0, 0]),

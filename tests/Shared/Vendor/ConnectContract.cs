@@ -3,7 +3,7 @@ using NeuronMocap.Tests.Network;
 
 namespace NeuronMocap.Tests.Vendor;
 
-// The beginning of connections: protocol.md section 10, texts letter by letter.
+// The start of connections (protocol.md section 10), with exact texts.
 public abstract class ConnectContract
 {
     private protected abstract VendorDriver Start();
@@ -58,7 +58,7 @@ public abstract class ConnectContract
         await driver.EndAsync();
     }
 
-    // The vendor's library ends the process for a name that it cannot find.
+    // The vendor's library ends the process if it cannot find a name.
     [Theory]
     [InlineData("no-such-computer.invalid", 7001, "no-such-computer.invalid:7001", 11001)]
     [InlineData("陈.invalid", 7001, "陈.invalid:7001", 11001)]
@@ -124,7 +124,7 @@ public abstract class ConnectContract
         await driver.EndAsync();
     }
 
-    // The server sends as soon as it accepts, and the status callback takes its time: the frame waits.
+    // The server sends as soon as it accepts. The status callback is slow, so the frame waits.
     [Fact]
     public async Task No_frame_precedes_the_connected_status()
     {

@@ -3,7 +3,7 @@ using NeuronMocap.Tests.Network;
 
 namespace NeuronMocap.Tests.Vendor;
 
-// How connections end: by the server, by the program, and from inside callbacks.
+// The end of connections: by the server, by the program, and inside callbacks.
 public abstract class EndContract
 {
     private protected abstract VendorDriver Start();
@@ -44,7 +44,7 @@ public abstract class EndContract
         await driver.EndAsync();
     }
 
-    // The vendor's library gives the dead handle again until it is closed.
+    // The vendor's library returns the dead handle again until it is closed.
     [Theory]
     [InlineData(true)]
     [InlineData(false)]
@@ -65,7 +65,7 @@ public abstract class EndContract
         Assert.NotEqual(dead, handle);
         Assert.Equal("2", await driver.CallAsync("get-status " + dead));
 
-        // A program that closes the dead handle late closes nothing of the new connection.
+        // If a program closes the dead handle late, that does not affect the new connection.
         await driver.CallAsync("close " + dead);
         await connection.SendAsync(TestPackets.Motion(2));
         await driver.FramesAsync(1);
@@ -109,7 +109,7 @@ public abstract class EndContract
             await driver.CallAsync("close " + handle);
             int count = driver.Frames.Count;
 
-            // The sender has seen the end of it when this ends.
+            // When this ends, the sender has seen its end.
             await sending.Soon();
             await driver.CallAsync("error");
             Assert.Equal(count, driver.Frames.Count);
@@ -197,7 +197,7 @@ public abstract class EndContract
         await driver.CallAsync("release");
         await driver.UntilAsync(() => driver.Reactions.Count == 2);
 
-        // Whose memory the callback was given is its own until the end of the call.
+        // The memory passed to a callback stays valid until the end of the call.
         (_, connection) = await driver.ConnectAsync(server);
         await connection.SendAsync(TestPackets.Motion(3));
         await driver.FramesAsync(2);
@@ -205,7 +205,7 @@ public abstract class EndContract
         await driver.EndAsync();
     }
 
-    // In bursts, so that some frames are under way, and no faster than the driver can print them.
+    // In bursts, so that some frames are in transit, and no faster than the driver can print them.
     private static async Task SendUntilClosedAsync(TestConnection connection)
     {
         byte[] burst = TestPackets.Motions(0, 20);
@@ -219,7 +219,7 @@ public abstract class EndContract
         }
         catch (System.Net.Sockets.SocketException)
         {
-            // Closed by the other side, as meant.
+            // Closed by the other side, as expected.
         }
     }
 }

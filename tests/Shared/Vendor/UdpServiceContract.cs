@@ -29,7 +29,7 @@ public abstract class UdpServiceContract
         await driver.EndAsync();
     }
 
-    // The vendor's library lost the frame of a macOS server, which comes in two datagrams.
+    // The vendor's library lost the frames of a macOS server, which come in two datagrams.
     [Fact]
     public async Task A_frame_in_two_datagrams_is_joined()
     {
@@ -44,7 +44,7 @@ public abstract class UdpServiceContract
         await driver.EndAsync();
     }
 
-    // Which of the two gets a datagram, the system decides.
+    // The system decides which of the two receives a datagram.
     [Fact]
     public async Task Every_call_starts_its_own_service()
     {

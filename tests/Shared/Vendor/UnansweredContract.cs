@@ -3,7 +3,7 @@ using NeuronMocap.Tests.Network;
 
 namespace NeuronMocap.Tests.Vendor;
 
-// In a class of its own, so that others run meanwhile: it takes the library 5 s.
+// In its own class, so that other tests run meanwhile: it takes the library 5 s.
 public abstract class UnansweredContract
 {
     private protected abstract VendorDriver Start();

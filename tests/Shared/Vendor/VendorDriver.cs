@@ -3,7 +3,7 @@ using NeuronMocap.Tests.Network;
 
 namespace NeuronMocap.Tests.Vendor;
 
-/// <summary>A frame as a callback was given it. Thread is "main", or a number; Hash that of the floats' bytes.</summary>
+/// <summary>A frame as passed to a callback. Thread is "main" or a number. Hash is that of the floats' bytes.</summary>
 internal sealed record DriverFrame(string Object, string Sender, string Thread, ulong HeaderAddress, ulong DataAddress, byte[] Header, string Hash)
 {
     public uint FrameIndex => BitConverter.ToUInt32(Header, 46);
@@ -23,12 +23,14 @@ internal sealed record DriverFrame(string Object, string Sender, string Thread, 
     private static ulong AddressOf(string word) => ulong.Parse(word.AsSpan(2), NumberStyles.AllowHexSpecifier, CultureInfo.InvariantCulture);
 }
 
-/// <summary>A status as a callback was given it: its number and its text, line feeds as \n. FramesBefore is how many frames had come.</summary>
+/// <summary>
+/// A status as passed to a callback: its number and its text, with line feeds as \n. FramesBefore is the number of frames received before.
+/// </summary>
 internal sealed record DriverStatus(string Object, string Sender, string Thread, string Line, int FramesBefore);
 
 /// <summary>
-/// A program that calls the vendor's functions as lines tell it to, and says in lines what they and the callbacks say. driver.c in tests/native describes
-/// the lines.
+/// A program that calls the vendor's functions on command, line by line, and reports the results of functions and callbacks in lines. driver.c in
+/// tests/native describes the lines.
 /// </summary>
 internal abstract class VendorDriver : IAsyncDisposable
 {
@@ -42,12 +44,12 @@ internal abstract class VendorDriver : IAsyncDisposable
 
     public List<DriverStatus> Statuses { get; } = [];
 
-    /// <summary>What lines returned that callbacks ran.</summary>
+    /// <summary>The results of lines that callbacks ran.</summary>
     public List<string> Reactions { get; } = [];
 
     public IEnumerable<string> LinesOf(string sender) => Statuses.Where(status => status.Sender == sender).Select(static status => status.Line);
 
-    /// <summary>Writes a line, and gives what it returned. Callbacks that came before that are kept.</summary>
+    /// <summary>Writes a line and returns its result. Callbacks reported before the result are kept.</summary>
     public async Task<string> CallAsync(string line)
     {
         Write(line);
@@ -64,7 +66,7 @@ internal abstract class VendorDriver : IAsyncDisposable
         return (handle, await server.AcceptAsync());
     }
 
-    /// <summary>Reads what the program says until the condition holds.</summary>
+    /// <summary>Reads the program's output until the condition holds.</summary>
     public async Task UntilAsync(Func<bool> condition)
     {
         while (!condition())
@@ -75,7 +77,7 @@ internal abstract class VendorDriver : IAsyncDisposable
 
     public Task StatusesAsync(int count) => UntilAsync(() => Statuses.Count >= count);
 
-    /// <summary>Ends the program, which has to be content with that.</summary>
+    /// <summary>Ends the program, which must exit without an error.</summary>
     public abstract Task EndAsync();
 
     public abstract ValueTask DisposeAsync();

@@ -1,4 +1,4 @@
 using System.Runtime.CompilerServices;
 
-// The package itself must not see how the stand-in is driven.
+// The package itself must not see how tests control the stand-in.
 [assembly: InternalsVisibleTo("NeuronMocap.Unity.Tests")]

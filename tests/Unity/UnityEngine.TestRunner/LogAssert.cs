@@ -16,7 +16,7 @@ public static class LogAssert
 
     public static void NoUnexpectedReceived() => Check(isEnd: false, everything: true);
 
-    /// <summary>Errors that nobody asked for fail a test, and so do those that were asked for and did not come.</summary>
+    /// <summary>Unexpected errors fail a test, and so do expected errors that did not occur.</summary>
     internal static void Check(bool isEnd, bool everything)
     {
         foreach ((LogType type, Func<string, bool> isWanted, string text) in _expected.ToArray())

@@ -2,7 +2,7 @@ using NUnit.Framework;
 
 namespace UnityEngine.TestTools;
 
-/// <summary>A test that goes on in later frames: it returns an IEnumerator.</summary>
+/// <summary>A test that continues in later frames. It returns an IEnumerator.</summary>
 [AttributeUsage(AttributeTargets.Method)]
 public sealed class UnityTestAttribute : CombiningStrategyAttribute, NUnit.Framework.Interfaces.IImplyFixture
 {

@@ -1,6 +1,6 @@
 using System.Runtime.CompilerServices;
 
-// The package itself must not see how the stand-in is driven.
+// The package itself must not see how tests control the stand-in.
 [assembly: InternalsVisibleTo("UnityEditor")]
 [assembly: InternalsVisibleTo("UnityEngine.TestRunner")]
 [assembly: InternalsVisibleTo("NeuronMocap.Unity.Tests")]

@@ -10,7 +10,7 @@ namespace NeuronMocap.Unity.EditorTools
 {
     internal static class AndroidManifest
     {
-        // Where a project keeps a manifest of its own, which Unity merges into the one that it writes.
+        // The location of a project's own manifest, which Unity merges into the generated one.
         public const string CustomPath = "Assets/Plugins/Android/AndroidManifest.xml";
 
         private const string Permission = "android.permission.INTERNET";
@@ -29,7 +29,7 @@ namespace NeuronMocap.Unity.EditorTools
             }
             catch (XmlException)
             {
-                // Unity's own build says what is wrong with it.
+                // Unity's own build reports what is wrong with the manifest.
                 return false;
             }
         }

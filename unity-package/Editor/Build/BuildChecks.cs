@@ -11,10 +11,10 @@ using UnityEngine.SceneManagement;
 
 namespace NeuronMocap.Unity.EditorTools
 {
-    // What keeps data from arriving on a device is said, or set right, when the build is made, and not found out on the device.
+    // Finds or corrects problems that would keep data from arriving on a device when the build is made.
     internal sealed class BuildChecks : IPreprocessBuildWithReport, IProcessSceneWithReport, IPostprocessBuildWithReport
     {
-        // After the post-processing of others, whose text for the local network then stays.
+        // Runs after the post-processing of others, so their text for the local network stays.
         public int callbackOrder => 1000;
 
         public void OnPreprocessBuild(BuildReport report)
@@ -23,7 +23,7 @@ namespace NeuronMocap.Unity.EditorTools
                 CheckAndroid(NeuronMocapSettings.instance);
         }
 
-        // Also called when a scene is entered in the editor's play mode, then without a report.
+        // Also called when a scene enters play mode in the editor. The report is then null.
         public void OnProcessScene(Scene scene, BuildReport? report)
         {
             BuildProblem wanted = NeuronMocapSettings.instance.WebGL;
@@ -80,8 +80,8 @@ namespace NeuronMocap.Unity.EditorTools
             }
             catch (Exception exception) when (exception is IOException or UnauthorizedAccessException or FormatException)
             {
-                Debug.LogError($"NeuronMocap: {InfoPlist.LocalNetworkKey} could not be put into {path}: {exception.Message} Add it in Xcode, or the "
-                    + "app gets no data from the local network.");
+                Debug.LogError($"NeuronMocap: {InfoPlist.LocalNetworkKey} could not be added to {path}: {exception.Message} Add it in Xcode. Without it the "
+                    + "app receives no data from the local network.");
             }
         }
     }

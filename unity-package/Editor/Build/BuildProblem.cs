@@ -2,16 +2,16 @@
 
 namespace NeuronMocap.Unity.EditorTools
 {
-    /// <summary>What a build check does where it finds something.</summary>
+    /// <summary>Specifies what a build check does when it finds a problem.</summary>
     public enum BuildProblem
     {
         /// <summary>Nothing.</summary>
         Ignore,
 
-        /// <summary>Writes a warning to the console; the build goes on.</summary>
+        /// <summary>Writes a warning to the console. The build continues.</summary>
         Warn,
 
-        /// <summary>Ends the build with an error.</summary>
+        /// <summary>Fails the build with an error.</summary>
         Fail,
     }
 }

@@ -9,15 +9,14 @@ using System.Xml.Linq;
 
 namespace NeuronMocap.Unity.EditorTools
 {
-    // The Info.plist of an exported Xcode project, edited as the XML that it is: Unity's own type for it comes with the iOS module, which is not
-    // there on most computers.
+    // Edits the Info.plist of an exported Xcode project as XML. Unity's own type for it comes with the iOS module, which most computers do not have.
     internal static class InfoPlist
     {
         public const string LocalNetworkKey = "NSLocalNetworkUsageDescription";
 
         public static bool HasLocalNetworkText(string xml) => FindValue(Parse(xml), out _)?.Value.Trim().Length > 0;
 
-        // The document with the text under the key. A text that is there already stays: the user, or another package, wrote it.
+        // Returns the document with the text under the key. An existing text stays: the user or another package wrote it.
         public static string WithLocalNetworkText(string xml, string text)
         {
             XDocument document = Parse(xml);
@@ -38,12 +37,12 @@ namespace NeuronMocap.Unity.EditorTools
         {
             entries = document.Root is { Name: { LocalName: "plist" } } root && root.Element("dict") is { } dict
                 ? dict
-                : throw new FormatException("This is not a property list: it has no plist with a dict.");
+                : throw new FormatException("The file is not a property list: it has no plist element with a dict.");
             XElement? key = entries.Elements("key").FirstOrDefault(element => string.Equals(element.Value.Trim(), LocalNetworkKey, StringComparison.Ordinal));
             return key?.ElementsAfterSelf().FirstOrDefault();
         }
 
-        // Without a resolver nothing asks the network for the document type that every property list names.
+        // Without a resolver, the parser does not look up the document type of the property list on the network.
         private static XDocument Parse(string xml)
         {
             var settings = new XmlReaderSettings { DtdProcessing = DtdProcessing.Parse, XmlResolver = null };
@@ -54,13 +53,13 @@ namespace NeuronMocap.Unity.EditorTools
             }
             catch (XmlException exception)
             {
-                throw new FormatException($"This is not XML: {exception.Message}", exception);
+                throw new FormatException($"The file is not valid XML: {exception.Message}", exception);
             }
         }
 
         private static string Write(XDocument document)
         {
-            // An empty internal subset would be written as "[]", which Apple's own parser takes for an error.
+            // An empty internal subset would be written as "[]", which Apple's parser rejects.
             if (document.DocumentType is { InternalSubset: "" } type)
                 type.InternalSubset = null;
 

@@ -6,51 +6,51 @@ using UnityEngine;
 namespace NeuronMocap.Unity.EditorTools
 {
     /// <summary>
-    /// What the project wants of its builds: Edit, Project Settings, NeuronMocap. Kept in ProjectSettings/NeuronMocap.asset, which belongs
-    /// into version control. Main thread only.
+    /// The project's build settings, shown in Edit, Project Settings, NeuronMocap. They are stored in ProjectSettings/NeuronMocap.asset, which should
+    /// be under version control. Use this type on the main thread only.
     /// </summary>
     [FilePath("ProjectSettings/NeuronMocap.asset", FilePathAttribute.Location.ProjectFolder)]
     public sealed class NeuronMocapSettings : ScriptableSingleton<NeuronMocapSettings>
     {
-        /// <summary>The text that iOS shows unless another one is set.</summary>
+        /// <summary>The default text that iOS shows.</summary>
         public const string DefaultLocalNetworkText = "Receives motion capture data from a computer in your network.";
 
-        [SerializeField, Tooltip("iOS 14 and newer ask the user, with this text, before an app may talk to other computers on the network. "
-            + "A text that is in the Info.plist already stays.")]
+        [SerializeField, Tooltip("Add the text below to the Info.plist. iOS 14 and newer show it when they ask the user whether an app may talk to other "
+            + "computers on the network. A text already in the Info.plist stays.")]
         private bool _addLocalNetworkText = true;
 
         [SerializeField, TextArea(2, 4), Tooltip("Why the app needs the local network, in words for the user of the device.")]
         private string _localNetworkText = DefaultLocalNetworkText;
 
         [SerializeField, Tooltip("Sets Internet Access to Require in the Android player settings when a build begins. Without that "
-            + "permission every connection fails on the device.")]
+            + "permission, every connection fails on the device.")]
         private bool _requireInternetPermission = true;
 
         [SerializeField, Tooltip("What to do when a scene with a source is built for WebGL: browsers do not allow TCP or UDP sockets.")]
         private BuildProblem _webGL = BuildProblem.Warn;
 
-        /// <summary>Whether the text for the local network is put into the Info.plist of an iOS build. On unless set.</summary>
+        /// <summary>Gets or sets whether the text for the local network is added to the Info.plist of an iOS build. On by default.</summary>
         public bool AddLocalNetworkText
         {
             get => _addLocalNetworkText;
             set => _addLocalNetworkText = value;
         }
 
-        /// <summary>The text that iOS shows when it asks whether the app may use the local network.</summary>
+        /// <summary>Gets or sets the text that iOS shows when it asks whether the app may use the local network.</summary>
         public string LocalNetworkText
         {
             get => _localNetworkText;
             set => _localNetworkText = value ?? string.Empty;
         }
 
-        /// <summary>Whether an Android build switches the permission for the network on. On unless set.</summary>
+        /// <summary>Gets or sets whether an Android build switches the network permission on. On by default.</summary>
         public bool RequireInternetPermission
         {
             get => _requireInternetPermission;
             set => _requireInternetPermission = value;
         }
 
-        /// <summary>What happens when a scene with a source is built for WebGL: a warning unless set.</summary>
+        /// <summary>Gets or sets what happens when a scene with a source is built for WebGL. The default is a warning.</summary>
         public BuildProblem WebGL
         {
             get => _webGL;

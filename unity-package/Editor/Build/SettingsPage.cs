@@ -20,7 +20,7 @@ namespace NeuronMocap.Unity.EditorTools
 
         internal static void Draw(NeuronMocapSettings settings)
         {
-            // Unity marks singletons as not editable, which would grey all fields out.
+            // Unity marks singletons as not editable, which would disable all fields.
             settings.hideFlags &= ~HideFlags.NotEditable;
             var serialized = new SerializedObject(settings);
             EditorGUILayout.LabelField("iOS", EditorStyles.boldLabel);

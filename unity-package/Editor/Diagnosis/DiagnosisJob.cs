@@ -8,14 +8,14 @@ using NeuronMocap.Diagnostics;
 
 namespace NeuronMocap.Unity.EditorTools
 {
-    // A diagnosis that runs on the thread pool while the editor looks at it now and then. Members are for the main thread, which never waits.
+    // A diagnosis that runs on the thread pool. The editor polls it; members are for the main thread, which never waits.
     internal sealed class DiagnosisJob : IProgress<DiagnosisStep>, IDisposable
     {
         private readonly CancellationTokenSource _stopSource = new CancellationTokenSource();
         private readonly List<DiagnosisStep> _steps = new List<DiagnosisStep>();
         private readonly Task<StreamDiagnosis> _task;
 
-        // after: what has to end first, a socket that another reader is still closing.
+        // after: a task that must end first, such as the closing of another reader's socket.
         public DiagnosisJob(NeuronReaderOptions options, Task after, DiagnosisOptions? how = null)
         {
             Target = Describe(options);
@@ -32,10 +32,10 @@ namespace NeuronMocap.Unity.EditorTools
 
         public bool IsCancelled => _task.IsCanceled;
 
-        // For who waits without blocking: it never throws.
+        // For callers that wait without blocking. It never throws.
         public Task Completion => _task.ContinueWith(static _ => { }, TaskScheduler.Default);
 
-        // Copied: the job adds to its list on a pool thread.
+        // Returns a copy, because the job adds to its list on a pool thread.
         public DiagnosisStep[] GetSteps()
         {
             lock (_steps)
@@ -48,7 +48,7 @@ namespace NeuronMocap.Unity.EditorTools
                 _stopSource.Cancel();
         }
 
-        // The source of the token is not disposed of: the task may use it for a moment still.
+        // Does not dispose the source of the token, because the task may still use it for a moment.
         public void Dispose() => Cancel();
 
         void IProgress<DiagnosisStep>.Report(DiagnosisStep value)
@@ -59,7 +59,7 @@ namespace NeuronMocap.Unity.EditorTools
 
         private async Task<StreamDiagnosis> RunAsync(NeuronReaderOptions options, Task after, DiagnosisOptions? how)
         {
-            // However it ended.
+            // Whether it succeeded or failed.
             await Task.WhenAny(after).ConfigureAwait(false);
             return await NeuronDiagnostics.DiagnoseAsync(options, how, this, _stopSource.Token).ConfigureAwait(false);
         }

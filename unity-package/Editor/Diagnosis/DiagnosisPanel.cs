@@ -7,7 +7,8 @@ using UnityEngine;
 
 namespace NeuronMocap.Unity.EditorTools
 {
-    // The button that asks why nothing arrives, the steps while it looks, and the answer. Nothing waits: the window repaints until it is done.
+    // The button that asks why nothing arrives, the steps of the diagnosis, and the answer. Nothing blocks: the window repaints until the diagnosis
+    // is done.
     internal sealed class DiagnosisPanel : IDisposable
     {
         public const string Ask = "Why Is Nothing Arriving?";
@@ -17,12 +18,12 @@ namespace NeuronMocap.Unity.EditorTools
         private DiagnosisReport? _report;
         private PausedSources? _paused;
 
-        // How to look; null for the library's way.
+        // Options of the diagnosis; null for the library's defaults.
         internal static DiagnosisOptions? Options { get; set; }
 
         public bool IsRunning => _job?.IsRunning == true;
 
-        // A repaint has to show the answer, too, and what was stopped for it has to go on.
+        // True until a repaint has shown the answer and resumed the paused sources.
         public bool IsDirty => _job is not null && (_report is null || _report.Severity == Severity.Waiting);
 
         public DiagnosisJob? Job => _job;
@@ -63,7 +64,7 @@ namespace NeuronMocap.Unity.EditorTools
 
         private void Start(MocapSource source)
         {
-            // What runs in the pool would go on in the old domain.
+            // Work in the pool would continue in the old domain.
             AssemblyReloadEvents.beforeAssemblyReload -= Dispose;
             AssemblyReloadEvents.beforeAssemblyReload += Dispose;
             NeuronReaderOptions options = DiagnosisRequest.OptionsOf(source);

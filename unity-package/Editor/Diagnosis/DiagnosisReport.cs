@@ -6,7 +6,7 @@ using NeuronMocap.Diagnostics;
 
 namespace NeuronMocap.Unity.EditorTools
 {
-    // What a diagnosis shows at this moment: its steps so far, and in the end the verdict.
+    // The current view of a diagnosis: its steps so far, and the verdict at the end.
     internal sealed class DiagnosisReport
     {
         private DiagnosisReport(Severity severity, string title, string text, IReadOnlyList<ReportRow> steps)
@@ -21,7 +21,7 @@ namespace NeuronMocap.Unity.EditorTools
 
         public string Title { get; }
 
-        // The paragraph with the advice; empty while it runs.
+        // The paragraph with the advice. Empty while the diagnosis runs.
         public string Text { get; }
 
         public IReadOnlyList<ReportRow> Steps { get; }

@@ -6,7 +6,7 @@ namespace NeuronMocap.Unity.EditorTools
 {
     internal static class DiagnosisRequest
     {
-        // What the source's own reader would be given.
+        // The options that the source's own reader would have.
         public static NeuronReaderOptions OptionsOf(MocapSource source) => new NeuronReaderOptions
         {
             Transport = source.Transport,

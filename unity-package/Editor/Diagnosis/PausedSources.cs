@@ -6,7 +6,7 @@ using UnityEngine;
 
 namespace NeuronMocap.Unity.EditorTools
 {
-    // The open sources that hold a UDP port which a diagnosis wants to look at: a port belongs to one at a time.
+    // The open sources that hold a UDP port needed by a diagnosis. Only one socket can hold a port.
     internal sealed class PausedSources : IDisposable
     {
         private readonly MocapSource[] _sources;

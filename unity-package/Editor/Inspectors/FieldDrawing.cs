@@ -7,7 +7,7 @@ namespace NeuronMocap.Unity.EditorTools
 {
     internal static class FieldDrawing
     {
-        // All fields of the component in their own order, but those that mean nothing as things are. after: told each that was drawn.
+        // Draws all fields of the component in their own order, except hidden ones. after: receives each field that was drawn.
         public static void Draw(SerializedObject serialized, Func<string, bool> isHidden, Action<SerializedProperty>? after = null)
         {
             SerializedProperty property = serialized.GetIterator();
@@ -21,7 +21,7 @@ namespace NeuronMocap.Unity.EditorTools
             }
         }
 
-        // A bool field that is on, or an enum field at a value, for all that are selected.
+        // Whether a bool field is on, or an enum field has a value, for all selected objects.
         public static bool Is(this SerializedObject serialized, string name, bool value) =>
             serialized.FindProperty(name) is { hasMultipleDifferentValues: false } property && property.boolValue == value;
 

@@ -15,12 +15,12 @@ namespace NeuronMocap.Unity.EditorTools
         {
             var builder = (FigureBuilder)target;
             string title = builder.Figure is null ? "No figure yet"
-                : builder.Driver.Performer is { } performer ? $"A figure of the sizes of {performer.Name}"
-                : "A figure of usual sizes";
+                : builder.Driver.Performer is { } performer ? $"A figure with the sizes of {performer.Name}"
+                : "A figure with default sizes";
             return (SeverityOf(builder.Problem), title, builder.Problem);
         }
 
-        // A changed look counts from the next figure on.
+        // A changed look applies from the next figure on.
         protected override void DrawButtons()
         {
             if (GUILayout.Button(Rebuild))

@@ -8,7 +8,7 @@ using UnityEngine;
 
 namespace NeuronMocap.Unity.EditorTools
 {
-    // What the inspectors of both drivers have: the fields that mean something, whether the figure moves and why not, and the check of its rig.
+    // The common part of both drivers' inspectors: the relevant fields, whether the figure moves and why not, and the check of its rig.
     internal abstract class FigureDriverEditor : Editor
     {
         public const string CheckAgain = "Check the Rig Again";
@@ -40,7 +40,7 @@ namespace NeuronMocap.Unity.EditorTools
             ReportGui.Headline(_report.Severity, _report.Title);
             ReportGui.Message(_report.Severity, _report.Message);
 
-            // While it is driven the figure stands as the performer does, and its rest pose is taken.
+            // In play mode the figure has the performer's pose, and its rest pose is already captured.
             if (!Application.isPlaying)
                 DrawRig(Problems);
         }

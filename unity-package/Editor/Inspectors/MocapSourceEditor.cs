@@ -7,7 +7,7 @@ using UnityEngine;
 
 namespace NeuronMocap.Unity.EditorTools
 {
-    // The fields that mean something, and below them what arrives, or why nothing does.
+    // The relevant fields, and below them what arrives, or why nothing arrives.
     [CustomEditor(typeof(MocapSource))]
     [CanEditMultipleObjects]
     internal sealed class MocapSourceEditor : Editor
@@ -25,7 +25,7 @@ namespace NeuronMocap.Unity.EditorTools
             MocapSource[] sources = targets.Cast<MocapSource>().ToArray();
             DrawFields(sources);
 
-            // The rows of a pass have to be those of its layout, whatever arrives in between.
+            // All events of a pass must use the rows of its layout event, even if data arrives in between.
             if (Event.current.type == EventType.Layout || _reports.Length != sources.Length)
                 _reports = sources.Select(source => SourceReport.Of(source, Application.isPlaying)).ToArray();
 
@@ -62,7 +62,7 @@ namespace NeuronMocap.Unity.EditorTools
                 serializedObject.FindProperty("_file").stringValue = ToFieldText(chosen, Application.streamingAssetsPath);
         }
 
-        // Within StreamingAssets a path goes with the project and into builds.
+        // Paths relative to StreamingAssets stay valid when the project moves, and in builds.
         internal static string ToFieldText(string path, string streamingAssets)
         {
             string full = Path.GetFullPath(path);

@@ -26,7 +26,7 @@ namespace NeuronMocap.Unity.EditorTools
                 + $"{PerformerRow.Number(recorder.Bytes / 1e6, "0.0")} MB";
             string title = _state switch
             {
-                RecorderState.Waiting => "Waits for the source to open",
+                RecorderState.Waiting => "Waiting for the source to open",
                 RecorderState.Recording => $"Recording: {size}",
                 RecorderState.Finishing => $"Completing the files: {size}",
                 _ => _hasFiles ? $"Recorded: {size}" : "Ready",

@@ -5,7 +5,7 @@ using UnityEngine;
 
 namespace NeuronMocap.Unity.EditorTools
 {
-    // All fields, and in play mode below them how it goes: for components that need no more.
+    // All fields, and the status below them in play mode. For components that need no more.
     internal abstract class ProblemEditor : Editor
     {
         private RepaintTimer? _timer;
@@ -26,7 +26,7 @@ namespace NeuronMocap.Unity.EditorTools
             DrawButtons();
         }
 
-        // Title: what it does. Problem: why not, or empty.
+        // Title: what the component does. Problem: what is wrong, or empty.
         protected abstract (Severity Severity, string Title, string Problem) Describe();
 
         protected virtual void DrawButtons()

@@ -6,7 +6,7 @@ using System.Linq;
 
 namespace NeuronMocap.Unity.EditorTools
 {
-    // Which fields of a source mean something for its kind. Those that are not named here always do.
+    // The fields of a source that are relevant to its kind. Fields not named here are always relevant.
     internal static class SourceFields
     {
         private static readonly string[] Network = { "_transport", "_address", "_port", "_calculationPort", "_localAddress", "_reconnect", "_commandPort", "_rotationOrder", "_skeletonVariant" };
@@ -16,7 +16,7 @@ namespace NeuronMocap.Unity.EditorTools
         private static readonly string[] Resampling = { "_delay", "_interpolation" };
         private static readonly string[] Special = Network.Concat(Simulator).Concat(BvhFile).Concat(Recording).ToArray();
 
-        // Of several sources a field is hidden unless it means something for all of them.
+        // With several sources selected, a field is hidden unless it is relevant to all of them.
         public static HashSet<string> HiddenFor(IReadOnlyCollection<MocapSource> sources)
         {
             var hidden = new HashSet<string>(Special, StringComparer.Ordinal);

@@ -6,7 +6,7 @@ using UnityEngine;
 
 namespace NeuronMocap.Unity.EditorTools
 {
-    // GameObject, NeuronMocap: everything that one click can set up, and one Undo takes back.
+    // The menu GameObject, NeuronMocap. Each item is a single undo step.
     internal static class CreateMenu
     {
         private const string Menu = "GameObject/NeuronMocap/";
@@ -33,7 +33,7 @@ namespace NeuronMocap.Unity.EditorTools
         [MenuItem(Menu + "Generic Rig Driver on Selection", true)]
         public static bool CanAddGenericDriver() => Targets<GenericRigDriver>().Any();
 
-        // Everything that a first look needs, in the open scene; nothing of it is made twice.
+        // Everything needed for a first look, in the open scene. Existing objects are not created again.
         [MenuItem(Menu + "Quick Start Scene", false, Priority + 40)]
         public static void CreateQuickStart()
         {

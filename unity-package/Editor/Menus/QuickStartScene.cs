@@ -5,7 +5,7 @@ using UnityEngine;
 
 namespace NeuronMocap.Unity.EditorTools
 {
-    // A source, a figure and a stage in the open scene: press play and it moves, with no suit. What is there already is used.
+    // Creates a source, a figure and a stage in the open scene. In play mode the figure moves without a suit. Existing sources and lights are reused.
     internal static class QuickStartScene
     {
         public static void Create()

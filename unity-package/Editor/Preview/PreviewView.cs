@@ -4,8 +4,8 @@ using UnityEngine;
 
 namespace NeuronMocap.Unity.EditorTools
 {
-    // An orthographic look at a figure from around it: where a point of the world, in metres, lies in a rectangle of the window, in pixels
-    // with Y down. A figure that faces +Z is seen from the front at a yaw of 0, from its left side at 90.
+    // An orthographic view of a figure. Maps world points in metres to a rectangle of the window, in pixels with Y down. A figure that faces +Z is
+    // seen from the front at a yaw of 0, and from its left side at 90.
     internal sealed class PreviewView
     {
         private const float DegreesPerPixel = 0.5f;
@@ -16,10 +16,10 @@ namespace NeuronMocap.Unity.EditorTools
 
         public float Pitch { get; private set; } = 8f;
 
-        // How many metres the height of the rectangle shows.
+        // The height of the rectangle, in metres.
         public float Height { get; private set; } = FigureHeight;
 
-        // What lies in the middle of the rectangle.
+        // The world point in the middle of the rectangle.
         public Vector3 Center { get; set; } = new Vector3(0f, FigureHeight / 2f, 0f);
 
         public void LookFromFront() => (Yaw, Pitch) = (0f, 0f);
@@ -40,7 +40,7 @@ namespace NeuronMocap.Unity.EditorTools
             float pitch = Pitch * Mathf.Deg2Rad;
             Vector3 offset = point - Center;
 
-            // From the front the figure's right, +X, is on the left of the picture.
+            // Seen from the front, the figure's right, +X, is on the left of the picture.
             float right = (-offset.x * Mathf.Cos(yaw)) - (offset.z * Mathf.Sin(yaw));
             float toViewer = (-offset.x * Mathf.Sin(yaw)) + (offset.z * Mathf.Cos(yaw));
             float up = (offset.y * Mathf.Cos(pitch)) - (toViewer * Mathf.Sin(pitch));

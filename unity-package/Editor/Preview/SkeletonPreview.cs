@@ -7,7 +7,7 @@ using UnityEngine;
 
 namespace NeuronMocap.Unity.EditorTools
 {
-    // A performer's bones in a rectangle of a window: drag turns it, the wheel makes it larger.
+    // Draws a performer's bones in a rectangle of a window. Dragging turns the view, the wheel zooms.
     internal sealed class SkeletonPreview
     {
         private const float BoneWidth = 3f;
@@ -46,7 +46,7 @@ namespace NeuronMocap.Unity.EditorTools
             GUI.EndClip();
         }
 
-        // A line from each joint's parent to the joint, and one to the end of the bones that have no children.
+        // A line from each joint's parent to the joint, and a line to the end of each bone without children.
         internal IEnumerable<(Vector2 From, Vector2 To, Bone Bone)> LinesOf(Performer performer, Rect rect)
         {
             for (int i = 0; i < BoneHierarchy.BoneCount; i++)
@@ -82,7 +82,7 @@ namespace NeuronMocap.Unity.EditorTools
             current.Use();
         }
 
-        // The ground under the performer, in squares of half a metre that stay where they are when the performer walks.
+        // The ground under the performer, in squares of half a metre. The squares do not move with the performer.
         private void DrawGrid(Rect rect)
         {
             const float Cell = 0.5f;

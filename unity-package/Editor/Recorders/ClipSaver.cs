@@ -27,7 +27,7 @@ namespace NeuronMocap.Unity.EditorTools
             return path;
         }
 
-        // The asset database makes one level at a time.
+        // The asset database creates one level at a time.
         private static string MakeFolder(string below)
         {
             string folder = Assets;

@@ -5,20 +5,22 @@ using UnityEngine;
 
 namespace NeuronMocap.Unity.EditorTools
 {
-    /// <summary>Makes an <see cref="AnimationClip"/> of what a <see cref="ClipRecorder"/> recorded.</summary>
+    /// <summary>Creates an <see cref="AnimationClip"/> from a take of a <see cref="ClipRecorder"/>.</summary>
     public static class ClipWriter
     {
-        // A quaternion's components change by half the angle, in radians.
+        // A quaternion's components change by up to half the angle, in radians.
         private const float QuaternionPerDegree = Mathf.Deg2Rad / 2;
 
-        // Muscles run from -1 to 1.
+        // Muscles range from -1 to 1.
         private const float MusclePerPercent = 0.02f;
         private const float MetresPerCentimetre = 0.01f;
 
-        /// <summary>Makes a clip, in memory.</summary>
-        /// <param name="take">The take; of one frame at least.</param>
-        /// <param name="keyTolerance">Error that keys may be left out for: percent of a muscle's range, degrees or centimetres. 0 keeps all.</param>
-        /// <returns>A clip that nobody else owns.</returns>
+        /// <summary>Creates a clip in memory.</summary>
+        /// <param name="take">The take, with at least one frame.</param>
+        /// <param name="keyTolerance">
+        /// The error allowed when keys are removed: percent of a muscle's range, degrees or centimetres. 0 keeps all keys.
+        /// </param>
+        /// <returns>The clip. The caller owns it.</returns>
         public static AnimationClip Create(ClipTake take, float keyTolerance)
         {
             var clip = new AnimationClip { frameRate = take.FrameRate };
@@ -57,7 +59,7 @@ namespace NeuronMocap.Unity.EditorTools
                 tolerance * unit);
         }
 
-        // Straight from key to key: the take is dense, and curves that overshoot would let feet slide.
+        // Linear from key to key. The take is dense, and curves that overshoot would make feet slide.
         private static Keyframe[] CreateKeys(ClipTake take, int value, IReadOnlyList<int> kept)
         {
             var keys = new Keyframe[kept.Count];
@@ -80,7 +82,7 @@ namespace NeuronMocap.Unity.EditorTools
             return keys;
         }
 
-        // Without it Unity moves the character so that it starts at the origin, facing forward.
+        // Without this, Unity moves the character so that it starts at the origin, facing forward.
         private static void KeepPlace(AnimationClip clip)
         {
             AnimationClipSettings settings = AnimationUtility.GetAnimationClipSettings(clip);

@@ -5,13 +5,13 @@ using UnityEngine;
 
 namespace NeuronMocap.Unity.EditorTools
 {
-    // Which frames of a few numbers that belong together are enough for straight lines between them to give all others.
+    // Selects the frames to keep for a group of values, so that straight lines between them reproduce all other frames.
     internal static class KeyReduction
     {
-        // Bounds the work, which grows with the square of it, and the harm that a missing key does when somebody edits the clip.
+        // Limits the work, which grows with the square of the gap. Also limits the effect of missing keys when the clip is edited.
         private const int LongestGap = 60;
 
-        // tolerance: largest error of any number; 0 or less keeps all frames.
+        // tolerance: the largest error of any value. 0 or less keeps all frames.
         public static IReadOnlyList<int> Keep(int frames, int values, Func<int, float> getTime, Func<int, int, float> getValue, float tolerance)
         {
             var kept = new List<int>();

@@ -2,7 +2,7 @@
 
 namespace NeuronMocap.Unity.EditorTools
 {
-    // Whether a figure moves, after whom, and why not.
+    // Whether a figure moves, which performer it follows, and why it does not move.
     internal sealed class DriverReport
     {
         private DriverReport(Severity severity, string title, string message)
@@ -28,8 +28,8 @@ namespace NeuronMocap.Unity.EditorTools
                 return new DriverReport(Severity.Error, "The figure does not move", driver.Problem);
 
             return driver.IsDriving
-                ? new DriverReport(Severity.Good, $"Moves after {driver.Performer}", driver.RestPoseNote)
-                : new DriverReport(Severity.Waiting, "Waits for its performer", string.Empty);
+                ? new DriverReport(Severity.Good, $"Follows {driver.Performer}", driver.RestPoseNote)
+                : new DriverReport(Severity.Waiting, "Waiting for its performer", string.Empty);
         }
     }
 }

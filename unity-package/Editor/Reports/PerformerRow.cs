@@ -7,7 +7,7 @@ using System.Linq;
 
 namespace NeuronMocap.Unity.EditorTools
 {
-    // A performer in words: what the lists of the inspector and of the window show.
+    // A performer in words, for the lists of the inspector and the window.
     internal sealed class PerformerRow
     {
         public PerformerRow(Performer performer, AvatarStatistics? figures)

@@ -2,7 +2,7 @@
 
 namespace NeuronMocap.Unity.EditorTools
 {
-    // A line of a report: what it is about, and what is the case.
+    // A row of a report: a label and its value.
     internal readonly struct ReportRow
     {
         public ReportRow(string name, string value, Severity severity = Severity.None)

@@ -2,7 +2,7 @@
 
 namespace NeuronMocap.Unity.EditorTools
 {
-    // How much a line matters. The highest of several decides.
+    // The severity of a row. The highest severity of several rows applies.
     internal enum Severity
     {
         None,

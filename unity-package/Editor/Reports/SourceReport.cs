@@ -5,7 +5,7 @@ using System.Collections.Generic;
 
 namespace NeuronMocap.Unity.EditorTools
 {
-    // What there is to know about a source at this moment, in words: made anew for each repaint, and drawn by the inspector and by the window.
+    // The current status of a source in words. Created for each repaint, and drawn by the inspector and the window.
     internal sealed class SourceReport
     {
         private SourceReport(Severity severity, string title, string message, IReadOnlyList<ReportRow> rows, IReadOnlyList<PerformerRow> performers)
@@ -21,7 +21,7 @@ namespace NeuronMocap.Unity.EditorTools
 
         public string Title { get; }
 
-        // Why, and what to change; empty when all is well.
+        // The reason and the remedy. Empty if there is no problem.
         public string Message { get; }
 
         public IReadOnlyList<ReportRow> Rows { get; }
@@ -55,7 +55,7 @@ namespace NeuronMocap.Unity.EditorTools
             if ((status.RemoteEndPoint ?? status.LocalEndPoint) is { } end)
                 rows.Add(new ReportRow(status.RemoteEndPoint is null ? "Listening On" : "Connected To", end.ToString()));
             if (status.RetryIn is { } wait)
-                rows.Add(new ReportRow("Tries Again In", $"{PerformerRow.Number(wait.TotalSeconds, "0.0")} s (attempt {status.Attempt})", Severity.Waiting));
+                rows.Add(new ReportRow("Next Attempt In", $"{PerformerRow.Number(wait.TotalSeconds, "0.0")} s (attempt {status.Attempt})", Severity.Waiting));
 
             bool receives = source.State == SourceState.Receiving;
             rows.Add(new ReportRow("Frame Rate", receives ? $"{PerformerRow.Number(source.FrameRate, "0.0")} /s" : "-"));
@@ -68,7 +68,7 @@ namespace NeuronMocap.Unity.EditorTools
             if (figures.Reconnects > 0)
                 rows.Add(new ReportRow("Reconnects", PerformerRow.Number(figures.Reconnects, "0"), Severity.Warning));
             if (figures.BytesSkipped > 0)
-                rows.Add(new ReportRow("Bytes Of No Packet", PerformerRow.Number(figures.BytesSkipped, "#,0"), Severity.Warning));
+                rows.Add(new ReportRow("Bytes Outside Packets", PerformerRow.Number(figures.BytesSkipped, "#,0"), Severity.Warning));
             if (figures.RefusedDatagrams > 0)
                 rows.Add(new ReportRow("Refused Datagrams", PerformerRow.Number(figures.RefusedDatagrams, "#,0"), Severity.Warning));
             if (FormatName(status.Format) is { } format)
@@ -80,9 +80,9 @@ namespace NeuronMocap.Unity.EditorTools
         private static string? FormatName(StreamFormat format) => format switch
         {
             StreamFormat.Binary => "binary",
-            StreamFormat.OldHeader => "binary, old header: losses cannot be seen",
-            StreamFormat.Text => "text: losses cannot be seen, and every number costs digits",
-            StreamFormat.Studio => "binary, of Axis Studio",
+            StreamFormat.OldHeader => "binary, old header: lost frames cannot be detected",
+            StreamFormat.Text => "text: lost frames cannot be detected, and numbers take more bytes",
+            StreamFormat.Studio => "binary, from Axis Studio",
             _ => null,
         };
     }

@@ -3,13 +3,13 @@
 
 namespace NeuronMocap.Unity.EditorTools
 {
-    // The states of a source in a few words, as the monitor has them, and how much they matter.
+    // Short titles for the states of a source, as in the monitor, and their severity.
     internal static class StateTitles
     {
         public static string Of(SourceState state, ConnectionReason reason) => (state, reason) switch
         {
-            (SourceState.Receiving, ConnectionReason.RotationOrderMismatch) => "Receiving, in another rotation order",
-            (SourceState.Receiving, ConnectionReason.SkeletonVariantMismatch) => "Receiving, of another skeleton variant",
+            (SourceState.Receiving, ConnectionReason.RotationOrderMismatch) => "Receiving, with another rotation order",
+            (SourceState.Receiving, ConnectionReason.SkeletonVariantMismatch) => "Receiving, with another skeleton variant",
             (SourceState.Receiving, ConnectionReason.CalculationUnavailable) => "Receiving, without calculation data",
             (SourceState.Receiving, _) => "Receiving",
             (SourceState.Loading, _) => "Reading the file",
@@ -18,7 +18,7 @@ namespace NeuronMocap.Unity.EditorTools
             (SourceState.Silent, ConnectionReason.UnknownFormat) => "Data arrives, but no frames",
             (SourceState.Silent, ConnectionReason.SenderNotAllowed) => "The sender is not allowed",
             (SourceState.Silent, _) => "Nothing arrives",
-            (SourceState.Ended, _) => "The file is over",
+            (SourceState.Ended, _) => "The file has ended",
             (SourceState.Closed, _) => "Closed",
             (_, ConnectionReason.Refused) => "Connection refused",
             (_, ConnectionReason.TimedOut) => "No answer",
@@ -27,7 +27,7 @@ namespace NeuronMocap.Unity.EditorTools
             (_, ConnectionReason.Reset or ConnectionReason.ClosedByPeer) => "Connection closed",
             (_, ConnectionReason.PortInUse) => "Port in use",
             (_, ConnectionReason.AddressUnavailable or ConnectionReason.AccessDenied) => "Not allowed",
-            (SourceState.Failed, _) => "It does not work",
+            (SourceState.Failed, _) => "Failed",
             _ => "No connection",
         };
 

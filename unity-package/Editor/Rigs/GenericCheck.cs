@@ -9,7 +9,7 @@ using UnityEngine;
 
 namespace NeuronMocap.Unity.EditorTools
 {
-    // Looks at a rig without an avatar as its driver will: which transforms it finds, and how they stand.
+    // Checks a rig without an avatar as its driver will use it: the transforms that it finds, and their rest pose.
     internal static class GenericCheck
     {
         public static IReadOnlyList<RigProblem> Examine(GenericRigDriver driver)
@@ -55,7 +55,7 @@ namespace NeuronMocap.Unity.EditorTools
         {
             string[] missing = BoneHierarchy.Bones.ToArray().Where(bone => bones[(int)bone] == null).Select(bone => BoneHierarchy.GetName(bone)).ToArray();
             if (missing.Length > 0)
-                problems.Add(new RigProblem(Severity.None, $"{missing.Length} bones have no transform and move nothing: {string.Join(", ", missing)}."));
+                problems.Add(new RigProblem(Severity.None, $"{missing.Length} bones have no transform and have no effect: {string.Join(", ", missing)}."));
         }
     }
 }

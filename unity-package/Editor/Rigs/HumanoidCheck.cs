@@ -9,7 +9,7 @@ using UnityEngine;
 
 namespace NeuronMocap.Unity.EditorTools
 {
-    // Looks at a Humanoid figure as its driver will, before play mode, and offers to set right what can be.
+    // Checks a Humanoid figure as its driver will use it, before play mode, and offers fixes.
     internal static class HumanoidCheck
     {
         public static IReadOnlyList<RigProblem> Examine(HumanoidDriver driver)
@@ -64,7 +64,7 @@ namespace NeuronMocap.Unity.EditorTools
             if (animator.avatar.isHuman && animator.avatar.isValid)
                 return null;
 
-            // Of an avatar that Unity could not make isHuman is false, too: what it was to be made of tells the two apart.
+            // isHuman is also false for an avatar that Unity failed to create. Its human description tells the two cases apart.
             if (animator.avatar.isHuman || animator.avatar.humanDescription.human is { Length: > 0 })
             {
                 return new RigProblem(
@@ -78,7 +78,7 @@ namespace NeuronMocap.Unity.EditorTools
                 : new RigProblem(Severity.Error, fault, "Import the Model as Humanoid", () => RigFixes.ImportAsHumanoid(animator, model));
         }
 
-        // The required bones that the avatar maps to nothing, by their names in Unity.
+        // Names of the required bones that the avatar does not map, as Unity spells them.
         private static string MissingOf(Avatar avatar)
         {
             var mapped = new HashSet<string>((avatar.humanDescription.human ?? Array.Empty<HumanBone>()).Select(bone => bone.humanName), StringComparer.Ordinal);
@@ -103,11 +103,11 @@ namespace NeuronMocap.Unity.EditorTools
 
         private static RigProblem WithoutTransforms(Animator animator)
         {
-            // An Animator finds its bones when its object is first active.
+            // An Animator finds its bones when its object first becomes active.
             if (!animator.gameObject.activeInHierarchy)
-                return new RigProblem(Severity.None, $"{animator.name} is not active: its bones cannot be looked at.");
+                return new RigProblem(Severity.None, $"{animator.name} is not active: its bones cannot be checked.");
 
-            const string Text = "The figure's bones are no transforms of the scene: Optimize Game Objects is on in the model's import settings.";
+            const string Text = "The figure's bones are not transforms of the scene: Optimize Game Objects is on in the model's import settings.";
             return ModelFile.Of(animator) is { } model
                 ? new RigProblem(Severity.Error, Text, "Switch Optimizing Off", model.KeepTransforms)
                 : new RigProblem(Severity.Error, Text);
@@ -128,8 +128,8 @@ namespace NeuronMocap.Unity.EditorTools
             problems.AddRange(RigIssues.ToProblems(issues, fix));
         }
 
-        // A rest pose that the import settings keep is changed there; one that is how the transforms stand, in the scene; a bind pose only in the
-        // program that the model comes from.
+        // Where a rest pose is corrected depends on its origin. One from the import settings is changed there. One from the current transforms is
+        // changed in the scene. A bind pose can only be changed in the program that the model comes from.
         private static Action? FindFix(Animator animator, RigCapture capture, int[] nodeByBone, RestPose rest)
         {
             if (rest.Note is RestPose.FromPresent)

@@ -8,7 +8,7 @@ using UnityEngine;
 
 namespace NeuronMocap.Unity.EditorTools
 {
-    // The file that a figure was imported from, and what can be changed in its import settings.
+    // The file that a figure was imported from, and the import settings that can be changed.
     internal sealed class ModelFile
     {
         private readonly ModelImporter _importer;
@@ -17,7 +17,7 @@ namespace NeuronMocap.Unity.EditorTools
 
         public string Path => _importer.assetPath;
 
-        // By the avatar, else by the mesh of a skin: that is found also when the figure was unpacked from its prefab.
+        // Found by the avatar, or else by the mesh of a skin. The mesh also leads to the file when the figure was unpacked from its prefab.
         public static ModelFile? Of(Animator animator)
         {
             string path = animator.avatar != null ? AssetDatabase.GetAssetPath(animator.avatar) : string.Empty;
@@ -46,8 +46,8 @@ namespace NeuronMocap.Unity.EditorTools
             _importer.SaveAndReimport();
         }
 
-        // The rest pose of a Humanoid is kept in its import settings, name by name. Of a model that nobody has configured they are empty, and Unity finds the
-        // bones anew with every import; what it found is in the avatar.
+        // The import settings store the rest pose of a Humanoid, name by name. For a model that was never configured they are empty. Unity then finds
+        // the bones at each import, and the result is in the avatar.
         public void SetRestPose(Avatar avatar, ReadOnlySpan<RigNode> nodes)
         {
             HumanDescription description = _importer.humanDescription;

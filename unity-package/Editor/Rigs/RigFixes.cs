@@ -8,7 +8,7 @@ using Object = UnityEngine.Object;
 
 namespace NeuronMocap.Unity.EditorTools
 {
-    // What the buttons of the rig check do. All of it can be undone, but for the import of a model, as everywhere in Unity.
+    // The actions of the rig check's buttons. All of them can be undone, except imports of a model, as everywhere in Unity.
     internal static class RigFixes
     {
         public static void SetReference(Object target, string field, Object value)
@@ -41,7 +41,7 @@ namespace NeuronMocap.Unity.EditorTools
                 SetAvatar(animator, avatar);
         }
 
-        // transforms: those of the rig's nodes.
+        // transforms: the transforms of the rig's nodes.
         public static void Pose(Transform[] transforms, TargetRig rig)
         {
             Undo.RecordObjects(transforms, "Put Into T-Pose");

@@ -7,12 +7,12 @@ using NeuronMocap.Retargeting;
 
 namespace NeuronMocap.Unity.EditorTools
 {
-    // What the library's check found, as lines for the inspector.
+    // Converts the results of the library's check to rows for the inspector.
     internal static class RigIssues
     {
         public const string FixLabel = "Put Into T-Pose";
 
-        // One click sets all of the rest pose right: the button stands below the last issue that it helps.
+        // One click corrects the whole rest pose. The button is below the last issue that it fixes.
         public static IEnumerable<RigProblem> ToProblems(IReadOnlyList<RigIssue> issues, Action? fix)
         {
             int last = fix is null ? -1 : issues.ToList().FindLastIndex(issue => issue.CanFix);

@@ -4,7 +4,7 @@ using System;
 
 namespace NeuronMocap.Unity.EditorTools
 {
-    // Something about a figure that keeps it from moving, or from moving right, and what one click can do about it.
+    // A problem that keeps a figure from moving correctly, and the fix that one click applies.
     internal sealed class RigProblem
     {
         public RigProblem(Severity severity, string text, string? fixLabel = null, Action? fix = null)
@@ -19,7 +19,7 @@ namespace NeuronMocap.Unity.EditorTools
 
         public string Text { get; }
 
-        // What the button says; null where only the user can help.
+        // The label of the button. Null if only the user can fix the problem.
         public string? FixLabel { get; }
 
         public Action? Fix { get; }

@@ -7,7 +7,7 @@ using UnityEngine;
 
 namespace NeuronMocap.Unity.EditorTools
 {
-    // One source in the window: its state, its buttons, its performers.
+    // A source in the window: its state, its buttons, its performers.
     internal sealed class SourcePanel : IDisposable
     {
         public const string Record = "Record";
@@ -28,13 +28,13 @@ namespace NeuronMocap.Unity.EditorTools
 
         public SourceRecording? Recording => _recording;
 
-        // Beside Assets, not in it: Unity would import the file.
+        // Beside Assets, because Unity would import files inside it.
         private static string RecordingFolder => Path.Combine(Path.GetDirectoryName(Application.dataPath) ?? string.Empty, "Recordings");
 
-        // The performer that was clicked, if one was.
+        // Returns the performer that was clicked, if any.
         public Performer? Draw(Performer? shown)
         {
-            // The rows of a pass have to be those of its layout, whatever arrives in between.
+            // All events of a pass must use the rows of its layout event, even if data arrives in between.
             if (_report is null || Event.current.type == EventType.Layout)
                 Refresh();
 
@@ -88,7 +88,7 @@ namespace NeuronMocap.Unity.EditorTools
 
                 using (new EditorGUI.DisabledScope(_source.Kind != SourceKind.Network || _source.CommandPort <= 0 || _zeroOutState.Severity == Severity.Waiting))
                 {
-                    if (GUILayout.Button(new GUIContent(ZeroOutAll, "Asks the server to zero out all avatars. What that changes, the direction, the position or both, is not documented. Needs the command port.")))
+                    if (GUILayout.Button(new GUIContent(ZeroOutAll, "Asks the server to zero out all avatars. Whether that changes the direction, the position or both is not documented. Needs the command port.")))
                         _zeroOut = new ZeroOut(_source.Address, _source.CommandPort, avatar: null);
                 }
             }
@@ -114,7 +114,7 @@ namespace NeuronMocap.Unity.EditorTools
             }
             catch (Exception exception) when (exception is IOException or UnauthorizedAccessException or InvalidOperationException)
             {
-                Debug.LogError($"NeuronMocap: the recording could not begin: {exception.Message}", _source);
+                Debug.LogError($"NeuronMocap: the recording could not start: {exception.Message}", _source);
             }
         }
     }

@@ -8,7 +8,7 @@ using NeuronMocap.Recording;
 
 namespace NeuronMocap.Unity.EditorTools
 {
-    // A recording of everything that a source receives, begun with one click: where it goes needs no question.
+    // A recording of everything that a source receives, started with one click. The file name is chosen automatically.
     internal sealed class SourceRecording : IDisposable
     {
         private readonly StreamRecorder _recorder;
@@ -19,7 +19,7 @@ namespace NeuronMocap.Unity.EditorTools
 
         public bool IsRunning => _recorder.IsRecording;
 
-        // For the line under the buttons.
+        // Text for the row under the buttons.
         public string Describe()
         {
             if (_recorder.Failure is { } failure)
@@ -31,7 +31,7 @@ namespace NeuronMocap.Unity.EditorTools
             return $"{(IsRunning ? "Recording to" : "Recorded")} {Path.GetFileName(FilePath)}: {size}{lost}";
         }
 
-        // The folder is made when it is not there.
+        // Creates the folder if it does not exist.
         public static SourceRecording Start(NeuronReader reader, string folder, string name, DateTime now)
         {
             Directory.CreateDirectory(folder);

@@ -8,7 +8,7 @@ using UnityEngine;
 
 namespace NeuronMocap.Unity.EditorTools
 {
-    // Window, NeuronMocap, Sources: who is there, how well they arrive, and what they look like before any figure is involved.
+    // Window, NeuronMocap, Sources: the performers, how well their frames arrive, and a preview without any figure.
     internal sealed class SourcesWindow : EditorWindow
     {
         private const float SmallestPreview = 160f;
@@ -19,7 +19,7 @@ namespace NeuronMocap.Unity.EditorTools
         private RepaintTimer? _timer;
         private Vector2 _scroll;
 
-        // Who is drawn. Performers are made anew when a source opens again: the number stays.
+        // The performer in the preview. Performers are created again when a source reopens; their number stays the same.
         private MocapSource? _shownSource;
         private int _shownAvatar = -1;
 
@@ -86,7 +86,7 @@ namespace NeuronMocap.Unity.EditorTools
         {
             using (new EditorGUILayout.HorizontalScope(EditorStyles.toolbar))
             {
-                EditorGUILayout.LabelField(Shown is { } shown ? $"{shown.Name} ({shown.AvatarIndex})" : "Nobody to show");
+                EditorGUILayout.LabelField(Shown is { } shown ? $"{shown.Name} ({shown.AvatarIndex})" : "No performer to show");
                 if (GUILayout.Button("Front", EditorStyles.toolbarButton))
                     _preview.View.LookFromFront();
                 if (GUILayout.Button("Side", EditorStyles.toolbarButton))

@@ -8,14 +8,14 @@ using NeuronMocap.Commands;
 
 namespace NeuronMocap.Unity.EditorTools
 {
-    // Asks the server, on the pool, to zero out avatars.
+    // Asks the server to zero out avatars, on the thread pool.
     internal sealed class ZeroOut : IDisposable
     {
         private readonly CancellationTokenSource _stopSource = new CancellationTokenSource();
         private readonly Task _task;
         private readonly string _whom;
 
-        // avatar: null for all.
+        // avatar: null for all avatars.
         public ZeroOut(string host, int commandPort, int? avatar)
         {
             _whom = avatar is { } index ? $"avatar {index}" : "all avatars";
@@ -34,7 +34,7 @@ namespace NeuronMocap.Unity.EditorTools
             return _task.Exception?.InnerException is { } fault ? fault.Message : _task.IsCanceled ? "Cancelled" : $"Zeroed {_whom} out";
         }
 
-        // The task ends by itself; nobody waits for it.
+        // Cancels without waiting for the task to end.
         public void Dispose() => _stopSource.Cancel();
 
         private static async Task RunAsync(string host, int port, int? avatar, CancellationToken cancellationToken)

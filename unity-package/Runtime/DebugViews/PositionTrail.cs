@@ -4,7 +4,7 @@ using Vector3 = UnityEngine.Vector3;
 
 namespace NeuronMocap.Unity
 {
-    // Where a point was during the last seconds. Memory that is used again; the oldest goes first.
+    // The positions of a point during the last seconds, in a ring of fixed memory.
     internal sealed class PositionTrail
     {
         private readonly Vector3[] _points;
@@ -19,7 +19,7 @@ namespace NeuronMocap.Unity
 
         public int Count { get; private set; }
 
-        // 0 is the oldest.
+        // Index 0 is the oldest position.
         public Vector3 this[int index] => _points[(_first + index) % _points.Length];
 
         public void Add(Vector3 point, float time, float length)
@@ -42,7 +42,7 @@ namespace NeuronMocap.Unity
         {
             for (int i = 1; i < Count; i++)
             {
-                // Fades towards its end.
+                // The trail fades towards its end.
                 Gizmos.color = new Color(color.r, color.g, color.b, color.a * i / Count);
                 Gizmos.DrawLine(this[i - 1], this[i]);
             }

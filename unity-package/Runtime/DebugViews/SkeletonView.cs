@@ -12,8 +12,8 @@ using Vector3 = UnityEngine.Vector3;
 namespace NeuronMocap.Unity
 {
     /// <summary>
-    /// Draws a performer's skeleton as gizmos: bones, joints, feet on the ground, trails. Seen in the scene view, and in the game view with Gizmos switched
-    /// on. Shows what the source delivers, not what a character makes of it: where the two differ, the character's binding is at fault.
+    /// Draws a performer's skeleton as gizmos: bones, joints, foot contacts and trails. It is visible in the scene view, and in the game view if
+    /// Gizmos is on. It shows what the source delivers. If the character looks different, the binding of the character is wrong.
     /// </summary>
     [AddComponentMenu("NeuronMocap/Skeleton View")]
     [DefaultExecutionOrder(500)]
@@ -30,11 +30,11 @@ namespace NeuronMocap.Unity
         };
 
         [SerializeField]
-        [Tooltip("The driver whose performer is shown, around its character. Empty: see Source.")]
+        [Tooltip("The driver whose performer is shown, at its character. Empty: see Source.")]
         private FigureDriver? _driver;
 
         [SerializeField]
-        [Tooltip("The source whose performer is shown, around this object, when no driver is set.")]
+        [Tooltip("The source whose performer is shown, at this object, if no driver is set.")]
         private MocapSource? _source;
 
         [SerializeField]
@@ -47,16 +47,16 @@ namespace NeuronMocap.Unity
         private bool _showBones = true;
 
         [SerializeField]
-        [Tooltip("Balls at the joints.")]
+        [Tooltip("Spheres at the joints.")]
         private bool _showJoints = true;
 
         [SerializeField]
         [Range(0.001f, 0.05f)]
-        [Tooltip("Radius of a joint; metres.")]
+        [Tooltip("Radius of a joint, in metres.")]
         private float _jointRadius = 0.012f;
 
         [SerializeField]
-        [Tooltip("Discs under feet that stand on the ground.")]
+        [Tooltip("Discs under feet that touch the ground.")]
         private bool _showContacts = true;
 
         [SerializeField]
@@ -65,7 +65,7 @@ namespace NeuronMocap.Unity
 
         [SerializeField]
         [Range(0, LongestTrail)]
-        [Tooltip("Length of trails; seconds. 0 draws none.")]
+        [Tooltip("Length of trails, in seconds. 0 draws none.")]
         private float _trailSeconds;
 
         [SerializeField]
@@ -81,7 +81,7 @@ namespace NeuronMocap.Unity
         private Color _jointColor = new Color(0.95f, 0.42f, 0.1f);
 
         [SerializeField]
-        [Tooltip("Colour of the discs under standing feet.")]
+        [Tooltip("Colour of the discs under feet that touch the ground.")]
         private Color _contactColor = new Color(0.2f, 0.9f, 0.35f);
 
         [SerializeField]
@@ -91,70 +91,70 @@ namespace NeuronMocap.Unity
         private PositionTrail[] _trails = Array.Empty<PositionTrail>();
         private float _nextPoint;
 
-        /// <summary>The driver whose performer is shown, around its character. Null: <see cref="Source"/>.</summary>
+        /// <summary>Gets or sets the driver whose performer is shown, at its character. Null: see <see cref="Source"/>.</summary>
         public FigureDriver? Driver
         {
             get => _driver;
             set => _driver = value;
         }
 
-        /// <summary>The source whose performer is shown, around this object, when there is no <see cref="Driver"/>.</summary>
+        /// <summary>Gets or sets the source whose performer is shown, at this object, if <see cref="Driver"/> is null.</summary>
         public MocapSource? Source
         {
             get => _source;
             set => _source = value;
         }
 
-        /// <summary>Number of the source's performer.</summary>
+        /// <summary>Gets or sets the number of the source's performer.</summary>
         public int AvatarIndex
         {
             get => _avatarIndex;
             set => _avatarIndex = Mathf.Max(0, value);
         }
 
-        /// <summary>Whether bones are drawn.</summary>
+        /// <summary>Gets or sets whether bones are drawn.</summary>
         public bool ShowBones
         {
             get => _showBones;
             set => _showBones = value;
         }
 
-        /// <summary>Whether joints are drawn.</summary>
+        /// <summary>Gets or sets whether joints are drawn.</summary>
         public bool ShowJoints
         {
             get => _showJoints;
             set => _showJoints = value;
         }
 
-        /// <summary>Whether feet that stand on the ground are marked.</summary>
+        /// <summary>Gets or sets whether feet that touch the ground are marked.</summary>
         public bool ShowContacts
         {
             get => _showContacts;
             set => _showContacts = value;
         }
 
-        /// <summary>Whether the bones' names are written, in the editor.</summary>
+        /// <summary>Gets or sets whether the bones' names are drawn, in the editor.</summary>
         public bool ShowNames
         {
             get => _showNames;
             set => _showNames = value;
         }
 
-        /// <summary>Length of the trails, 0 to 30 s; 0 draws none.</summary>
+        /// <summary>Gets or sets the length of the trails, 0 to 30 s. 0 draws none.</summary>
         public float TrailSeconds
         {
             get => _trailSeconds;
             set => _trailSeconds = Mathf.Clamp(value, 0, LongestTrail);
         }
 
-        /// <summary>The joints that have trails; copied.</summary>
+        /// <summary>Gets or sets the joints that have trails. The list is copied.</summary>
         public IReadOnlyList<Bone> TrailBones
         {
             get => _trailBones;
             set => _trailBones = value is null ? Array.Empty<Bone>() : new List<Bone>(value).ToArray();
         }
 
-        /// <summary>Who is shown; null while there is nobody.</summary>
+        /// <summary>Gets the performer that is shown, or null.</summary>
         public Performer? Performer
         {
             get
@@ -166,7 +166,7 @@ namespace NeuronMocap.Unity
             }
         }
 
-        // What the stage's origin lies at.
+        // The transform at the stage's origin.
         private Transform Stage => _driver switch
         {
             HumanoidDriver humanoid when humanoid != null && humanoid.Animator != null => humanoid.Animator.transform,
@@ -245,7 +245,7 @@ namespace NeuronMocap.Unity
                 DrawContact(performer, Bone.RightFoot);
         }
 
-        // A flat disc below the middle of the foot, as high as its end, which is the sole's.
+        // A flat disc below the middle of the foot, at the height of the foot's end, which is the sole.
         private static void DrawContact(Performer performer, Bone foot)
         {
             Vector3 toes = performer.GetEndPosition(foot);

@@ -5,7 +5,7 @@ using UnityEngine;
 
 namespace NeuronMocap.Unity
 {
-    /// <summary>Which transform is a bone of the stream.</summary>
+    /// <summary>Assigns a transform to a bone of the stream.</summary>
     [Serializable]
     public struct BoneBinding
     {
@@ -13,8 +13,8 @@ namespace NeuronMocap.Unity
         [Tooltip("The bone of the stream.")]
         public Bone Bone;
 
-        /// <summary>The transform that follows it.</summary>
-        [Tooltip("The transform that follows it.")]
+        /// <summary>The transform that follows the bone.</summary>
+        [Tooltip("The transform that follows the bone.")]
         public Transform? Transform;
     }
 }

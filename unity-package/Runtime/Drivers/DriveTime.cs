@@ -2,13 +2,13 @@
 
 namespace NeuronMocap.Unity
 {
-    /// <summary>When a figure is moved.</summary>
+    /// <summary>Specifies when a figure is moved.</summary>
     public enum DriveTime
     {
-        /// <summary>After the Animator: the motion wins over animations.</summary>
+        /// <summary>After the Animator. The motion replaces animations.</summary>
         LateUpdate,
 
-        /// <summary>Before the Animator, which writes over what it animates itself.</summary>
+        /// <summary>Before the Animator. Animations replace the motion of the bones that they animate.</summary>
         Update,
     }
 }

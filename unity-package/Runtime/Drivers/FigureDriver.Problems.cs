@@ -5,13 +5,13 @@ using System.Text;
 
 namespace NeuronMocap.Unity
 {
-    // Why a figure does not move. Sentences are made when something has changed, not in each frame.
+    // Why a figure does not move. Sentences are created when something changes, not for each frame.
     public abstract partial class FigureDriver
     {
         private const string NoSource =
             "No mocap source found. Add one to the scene (GameObject > NeuronMocap > Mocap Source), or assign one to Source.";
 
-        private const string SourceDisabled = "The source of this figure is disabled. Enable its component and its object, or assign another one to Source.";
+        private const string SourceDisabled = "The source of this figure is disabled. Enable its component and its object, or assign another source.";
 
         private const string Idle = "The performer has stopped sending. In Axis Neuron, check the suit, or play a take.";
 

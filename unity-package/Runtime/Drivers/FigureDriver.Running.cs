@@ -6,7 +6,7 @@ using UnityEngine;
 
 namespace NeuronMocap.Unity
 {
-    // The work of each rendered frame. [NonSerialized]: see MocapSource.
+    // The work of each rendered frame. For [NonSerialized], see MocapSource.
     public abstract partial class FigureDriver
     {
         private const float RebindPeriod = 1; // s
@@ -34,10 +34,10 @@ namespace NeuronMocap.Unity
 
         private protected FigureRig? Rig => _rig;
 
-        // The figure and its rest pose, or the problem that there is with it.
+        // Captures the figure and its rest pose, or describes the problem.
         private protected abstract FigureRig? CreateRig(out string problem);
 
-        // Whether the rig is that of the figure which the settings name, and the figure is still there.
+        // Whether the rig belongs to the figure that the settings name, and the figure still exists.
         private protected abstract bool IsBound { get; }
 
         private protected abstract void CopyBoneWeights(BoneWeights weights);
@@ -78,7 +78,7 @@ namespace NeuronMocap.Unity
         {
             IsDriving = false;
 
-            // Also without a figure: one may be built for the performer only when it is known.
+            // Also without a figure, because a figure may be built only when its performer is known.
             Performer = FindPerformer();
             if (!TryBind())
             {
@@ -132,7 +132,7 @@ namespace NeuronMocap.Unity
             if (_source != null)
                 return _source;
 
-            // One that was found stays: which is the first may change.
+            // Keeps a source that was found, because the first source of the scene may change.
             if (ActiveSource != null && ActiveSource.isActiveAndEnabled)
                 return ActiveSource;
 
@@ -171,7 +171,7 @@ namespace NeuronMocap.Unity
             PlantFeet(performer, rig);
         }
 
-        // A figure that walks where it stands has to slide.
+        // With in-place root motion, feet slide by design.
         private void PlantFeet(Performer performer, FigureRig rig)
         {
             if (!_footPlanting || _rootMotion == RootMotion.InPlace)
@@ -187,7 +187,7 @@ namespace NeuronMocap.Unity
             rig.PlantFeet(performer.Contacts, performer.Time);
         }
 
-        // How much of the pose there is while data comes and goes.
+        // Updates the weight of the pose while data comes and goes.
         private void Blend(bool isLive)
         {
             float target = isLive || _whenIdle == IdleBehaviour.Hold ? 1 : 0;

@@ -7,12 +7,12 @@ using UnityEngine;
 namespace NeuronMocap.Unity
 {
     /// <summary>
-    /// Moves a figure as a performer of a <see cref="MocapSource"/> moves: what drivers of all kinds of figures have in common. The figure's rest pose is
-    /// taken once, from its avatar or its skin, and not from the pose in which it happens to be. Main thread.
+    /// Base class of the drivers: moves a figure as a performer of a <see cref="MocapSource"/> moves. It captures the figure's rest pose once, from
+    /// the avatar or the skin, independent of the current pose. Use it on the main thread.
     /// </summary>
     public abstract partial class FigureDriver : MonoBehaviour
     {
-        [Tooltip("Where the motion comes from. Empty: a source on this object or above it, else the first one in the scene.")]
+        [Tooltip("Where the motion comes from. Empty: a source on this object or above it, or else the first one in the scene.")]
         [SerializeField]
         private MocapSource? _source;
 
@@ -25,7 +25,7 @@ namespace NeuronMocap.Unity
         [SerializeField]
         private int _performerIndex;
 
-        [Tooltip("Name of the performer on the server, in any case.")]
+        [Tooltip("Name of the performer on the server. Case is ignored.")]
         [SerializeField]
         private string _performerName = string.Empty;
 
@@ -34,7 +34,7 @@ namespace NeuronMocap.Unity
         private DriveTime _driveTime;
 
         [Header("Body")]
-        [Tooltip("Full: the figure follows the performer. Horizontal: it keeps its height. In Place: it does not move.")]
+        [Tooltip("Full: the figure follows the performer. Horizontal: it keeps its height. In Place: it only moves up and down.")]
         [SerializeField]
         private RootMotion _rootMotion;
 
@@ -71,7 +71,7 @@ namespace NeuronMocap.Unity
         private FootRotation _footRotation;
 
         [Header("Weights")]
-        [Tooltip("How much of the motion the figure follows. The rest comes from its rest pose or its Animator.")]
+        [Tooltip("How much of the motion the figure follows. The remainder comes from its rest pose or its Animator.")]
         [Range(0, 1)]
         [SerializeField]
         private float _weight = 1;
@@ -90,140 +90,152 @@ namespace NeuronMocap.Unity
         [SerializeField]
         private float _idleBlendTime = 1;
 
-        /// <summary>Where the motion comes from; null for a source on this object or above it, else the first of <see cref="MocapSource.All"/>.</summary>
+        /// <summary>
+        /// Gets or sets the source of the motion. Null: a source on this object or above it, or else the first of <see cref="MocapSource.All"/>.
+        /// </summary>
         public MocapSource? Source
         {
             get => _source;
             set => _source = value;
         }
 
-        /// <summary>Whether <see cref="PerformerIndex"/> or <see cref="PerformerName"/> counts. The index unless set.</summary>
+        /// <summary>
+        /// Gets or sets whether the performer is found by <see cref="PerformerIndex"/> or <see cref="PerformerName"/>. The default is the index.
+        /// </summary>
         public PerformerChoice PerformerChoice
         {
             get => _performerChoice;
             set => _performerChoice = value;
         }
 
-        /// <summary>Number of the performer on the server, from 0.</summary>
+        /// <summary>Gets or sets the number of the performer on the server, from 0.</summary>
         public int PerformerIndex
         {
             get => _performerIndex;
             set => _performerIndex = value;
         }
 
-        /// <summary>Name of the performer on the server, in any case.</summary>
+        /// <summary>Gets or sets the name of the performer on the server. Case is ignored.</summary>
         public string PerformerName
         {
             get => _performerName;
             set => _performerName = value ?? string.Empty;
         }
 
-        /// <summary>When the figure is moved. LateUpdate unless set.</summary>
+        /// <summary>Gets or sets when the figure is moved. The default is LateUpdate.</summary>
         public DriveTime DriveTime
         {
             get => _driveTime;
             set => _driveTime = value;
         }
 
-        /// <summary>Which of the performer's ways the figure goes too.</summary>
+        /// <summary>Gets or sets which part of the performer's root motion the figure follows.</summary>
         public RootMotion RootMotion
         {
             get => _rootMotion;
             set => _rootMotion = value;
         }
 
-        /// <summary>Whether ways are measured by the length of the legs; else by <see cref="Scale"/>. True unless set.</summary>
+        /// <summary>Gets or sets whether root motion is scaled by leg length. If false, <see cref="Scale"/> applies. The default is true.</summary>
         public bool AutomaticScale
         {
             get => _automaticScale;
             set => _automaticScale = value;
         }
 
-        /// <summary>How far the figure goes for one metre of the performer's, where <see cref="AutomaticScale"/> is off. 0 or more; 1 unless set.</summary>
+        /// <summary>
+        /// Gets or sets how far the figure moves for each metre of the performer if <see cref="AutomaticScale"/> is off, 0 or more. The default is 1.
+        /// </summary>
         public float Scale
         {
             get => _scale;
             set => _scale = value;
         }
 
-        /// <summary>How much higher the hips are, in metres. 0 unless set.</summary>
+        /// <summary>Gets or sets an offset that raises the hips, in metres. The default is 0.</summary>
         public float HeightOffset
         {
             get => _heightOffset;
             set => _heightOffset = value;
         }
 
-        /// <summary>Whether feet are held where they touch the ground; not with <see cref="RootMotion.InPlace"/>. False unless set.</summary>
+        /// <summary>
+        /// Gets or sets whether feet are held where they touch the ground. It has no effect with <see cref="RootMotion.InPlace"/>. The default is
+        /// false.
+        /// </summary>
         public bool FootPlanting
         {
             get => _footPlanting;
             set => _footPlanting = value;
         }
 
-        /// <summary>Height of the ground in the figure's own space, in metres. 0 unless set.</summary>
+        /// <summary>Gets or sets the height of the ground in the figure's own space, in metres. The default is 0.</summary>
         public float GroundHeight
         {
             get => _groundHeight;
             set => _groundHeight = value;
         }
 
-        /// <summary>How long a foot takes to be held and to be let go, in seconds. 0.15 unless set.</summary>
+        /// <summary>Gets or sets how long a foot takes to blend into and out of foot planting, in seconds. The default is 0.15.</summary>
         public float FootBlendTime
         {
             get => _footBlendTime;
             set => _footBlendTime = value;
         }
 
-        /// <summary>How a foot is turned while it stands. As the performer's unless set.</summary>
+        /// <summary>Gets or sets how a planted foot is turned. By default it keeps the performer's rotation.</summary>
         public FootRotation FootRotation
         {
             get => _footRotation;
             set => _footRotation = value;
         }
 
-        /// <summary>How much of the motion the figure takes over, 0 to 1; the rest is its rest pose, or what an Animator plays. 1 unless set.</summary>
+        /// <summary>
+        /// Gets or sets how much of the motion the figure follows, 0 to 1. The remainder is its rest pose, or the pose of an Animator. The default is
+        /// 1.
+        /// </summary>
         public float Weight
         {
             get => _weight;
             set => _weight = value;
         }
 
-        /// <summary>How much each part of the body takes over. All of it unless set.</summary>
+        /// <summary>Gets how much of the motion each part of the body follows. By default every part follows it fully.</summary>
         public PartWeights PartWeights => _partWeights;
 
-        /// <summary>What the figure does when its performer sends nothing. It holds its pose unless set.</summary>
+        /// <summary>Gets or sets what the figure does when its performer sends nothing. By default it holds its pose.</summary>
         public IdleBehaviour WhenIdle
         {
             get => _whenIdle;
             set => _whenIdle = value;
         }
 
-        /// <summary>How long the blend to rest takes, and the way back, in seconds, 0 to 10. 1 unless set.</summary>
+        /// <summary>Gets or sets how long the blend to the idle pose and back takes, in seconds, 0 to 10. The default is 1.</summary>
         public float IdleBlendTime
         {
             get => _idleBlendTime;
             set => _idleBlendTime = value;
         }
 
-        /// <summary>The performer whose motion this is; null while there is none.</summary>
+        /// <summary>Gets the performer that the figure follows, or null.</summary>
         public Performer? Performer { get; private set; }
 
-        /// <summary>The source in use: <see cref="Source"/> or the one that was found; null while there is none.</summary>
+        /// <summary>Gets the source in use: <see cref="Source"/>, or the source that was found. Null if there is none.</summary>
         public MocapSource? ActiveSource { get; private set; }
 
-        /// <summary>Whether the figure was moved by a live performer in this frame.</summary>
+        /// <summary>Gets whether a live performer moved the figure in this frame.</summary>
         public bool IsDriving { get; private set; }
 
-        /// <summary>Why the figure does not move, with the setting to change; empty when there is nothing wrong.</summary>
+        /// <summary>Gets the reason why the figure does not move, and the setting to change. Empty if there is no problem.</summary>
         public string Problem { get; private set; } = string.Empty;
 
-        /// <summary>What is worth knowing about the figure's rest pose, such as that it had to be guessed; empty when there is nothing.</summary>
+        /// <summary>Gets a note about the figure's rest pose, such as that it is a guess. Empty if there is none.</summary>
         public string RestPoseNote => Rig?.Note ?? string.Empty;
 
-        /// <summary>The figure's transforms as the retargeter sees them; null while there is no figure.</summary>
+        /// <summary>Gets the figure's transforms as the retargeter sees them, or null if there is no figure.</summary>
         public TargetRig? TargetRig => Rig?.Target;
 
-        /// <summary>Takes the figure's rest pose anew, after its avatar or its transforms were replaced.</summary>
+        /// <summary>Captures the figure's rest pose again. Call it after you replace its avatar or its transforms.</summary>
         public void Rebind()
         {
             RestoreRest();

@@ -7,7 +7,7 @@ using UnityEngine;
 
 namespace NeuronMocap.Unity
 {
-    // A figure's transforms, and what turns poses of a performer into poses of theirs.
+    // A figure's transforms, and the retargeting of a performer's poses to them.
     internal sealed class FigureRig
     {
         private readonly Retargeter _retargeter;

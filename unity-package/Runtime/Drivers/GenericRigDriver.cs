@@ -9,8 +9,8 @@ using UnityEngine;
 namespace NeuronMocap.Unity
 {
     /// <summary>
-    /// Moves transforms that have no Humanoid avatar: those whose names are the stream's, with a prefix such as "Robot_", and those of an explicit list. They
-    /// stand in the T-pose when the component wakes up, unless a skin tells how it was bound.
+    /// Moves transforms without a Humanoid avatar. It finds them by the stream's bone names with a prefix such as "Robot_", or in an explicit list.
+    /// They must be in the T-pose when the component wakes up, unless a skin provides a bind pose.
     /// </summary>
     [AddComponentMenu("NeuronMocap/Generic Rig Driver")]
     public sealed class GenericRigDriver : FigureDriver
@@ -28,21 +28,24 @@ namespace NeuronMocap.Unity
         [SerializeField]
         private List<BoneBinding> _bindings = new List<BoneBinding>();
 
-        [Tooltip("Weights of single bones, on top of those of their parts.")]
+        [Tooltip("Weights of single bones, multiplied by those of their body parts.")]
         [SerializeField]
         private List<StreamBoneWeight> _boneWeights = new List<StreamBoneWeight>();
 
         [NonSerialized]
         private Transform? _bound;
 
-        /// <summary>The transform that the rig hangs from; null for this object.</summary>
+        /// <summary>Gets or sets the root transform of the rig. Null: this object.</summary>
         public Transform? Root
         {
             get => _root;
             set => _root = value;
         }
 
-        /// <summary>What the names of the transforms begin with; empty to find it out. Call <see cref="FigureDriver.Rebind"/> after a change while it runs.</summary>
+        /// <summary>
+        /// Gets or sets the prefix of the transforms' names. Empty: detected automatically. Call <see cref="FigureDriver.Rebind"/> after a change at
+        /// run time.
+        /// </summary>
         public string Prefix
         {
             get => _prefix;
@@ -50,14 +53,15 @@ namespace NeuronMocap.Unity
         }
 
         /// <summary>
-        /// Transforms of single bones, before any that are found by name. Call <see cref="FigureDriver.Rebind"/> after a change while it runs.
+        /// Gets transforms of single bones. They take precedence over those found by name. Call <see cref="FigureDriver.Rebind"/> after a change at
+        /// run time.
         /// </summary>
         public IList<BoneBinding> Bindings => _bindings;
 
-        /// <summary>Weights of single bones, on top of those of their parts; bones that are not listed have 1.</summary>
+        /// <summary>Gets weights of single bones, multiplied by those of their body parts. Bones that are not listed have weight 1.</summary>
         public IList<StreamBoneWeight> BoneWeights => _boneWeights;
 
-        /// <summary>The bones for which there is no transform, as of the last binding.</summary>
+        /// <summary>Gets the bones without a transform, as of the last binding.</summary>
         public IReadOnlyList<Bone> MissingBones { get; private set; } = Array.Empty<Bone>();
 
         private protected override bool IsBound => _bound != null && _bound == (_root != null ? _root : transform);
@@ -102,7 +106,7 @@ namespace NeuronMocap.Unity
             Transform[] all = root.GetComponentsInChildren<Transform>(true);
             string[] names = Array.ConvertAll(all, node => node.name);
 
-            // The root itself is no bone, whatever it is called.
+            // The root itself is not a bone, whatever its name.
             names[0] = string.Empty;
             RigBinding binding = RigBinder.Bind(names, _prefix.Length > 0 ? _prefix : null);
             var bones = new Transform?[BoneHierarchy.BoneCount];
@@ -126,7 +130,7 @@ namespace NeuronMocap.Unity
             return bones;
         }
 
-        // A transform is one bone only: the one that it is listed for.
+        // A transform belongs to one bone only: the bone that it is listed for.
         private static void Assign(Transform?[] bones, BoneBinding given)
         {
             int found = Array.IndexOf(bones, given.Transform);

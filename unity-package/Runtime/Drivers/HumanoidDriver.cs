@@ -8,8 +8,8 @@ using UnityEngine;
 namespace NeuronMocap.Unity
 {
     /// <summary>
-    /// Moves a Humanoid figure, any that has an Animator with a Humanoid avatar, as a performer moves. Its proportions and its rest pose may be any: the bones turn
-    /// as the performer's do, away from the T-pose of the avatar.
+    /// Moves a figure that has an Animator with a Humanoid avatar as a performer moves. Proportions and rest pose of the figure may be any. Its bones
+    /// turn away from the avatar's T-pose as the performer's bones do.
     /// </summary>
     [AddComponentMenu("NeuronMocap/Humanoid Driver")]
     public sealed class HumanoidDriver : FigureDriver
@@ -19,14 +19,14 @@ namespace NeuronMocap.Unity
         [SerializeField]
         private Animator? _animator;
 
-        [Tooltip("Weights of single bones, on top of those of their parts.")]
+        [Tooltip("Weights of single bones, multiplied by those of their body parts.")]
         [SerializeField]
         private List<HumanoidBoneWeight> _boneWeights = new List<HumanoidBoneWeight>();
 
         [NonSerialized]
         private Animator? _bound;
 
-        /// <summary>The figure; null for the Animator on this object, or the first one below it.</summary>
+        /// <summary>Gets or sets the figure. Null: the Animator on this object, or the first one below it.</summary>
         public Animator? Animator
         {
             get => _animator;
@@ -40,7 +40,7 @@ namespace NeuronMocap.Unity
             }
         }
 
-        /// <summary>Weights of single bones, on top of those of their parts; bones that are not listed have 1.</summary>
+        /// <summary>Gets weights of single bones, multiplied by those of their body parts. Bones that are not listed have weight 1.</summary>
         public IList<HumanoidBoneWeight> BoneWeights => _boneWeights;
 
         private protected override bool IsBound => _bound != null && (_animator == null || _animator == _bound);
@@ -59,10 +59,10 @@ namespace NeuronMocap.Unity
 
             if (bones[0] == null)
             {
-                // An Animator finds its bones when its object is first active.
+                // An Animator finds its bones when its object first becomes active.
                 problem = animator.gameObject.activeInHierarchy
                     ? "The figure's bones are not in the scene. In the model's import settings, tab Rig, switch Optimize Game Objects off."
-                    : $"The figure {animator.name} is not active. It is driven as soon as it is.";
+                    : $"The figure {animator.name} is not active. It moves as soon as it is.";
                 return null;
             }
 

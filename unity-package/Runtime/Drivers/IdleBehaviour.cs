@@ -2,13 +2,13 @@
 
 namespace NeuronMocap.Unity
 {
-    /// <summary>What a figure does when its performer sends nothing.</summary>
+    /// <summary>Specifies what a figure does when its performer sends nothing.</summary>
     public enum IdleBehaviour
     {
-        /// <summary>Keeps the last pose.</summary>
+        /// <summary>It keeps the last pose.</summary>
         Hold,
 
-        /// <summary>Goes over to its rest pose, or to what an Animator plays, within the blend time.</summary>
+        /// <summary>It blends to its rest pose, or to the pose of an Animator, within the blend time.</summary>
         BlendToRest,
     }
 }

@@ -6,11 +6,13 @@ using UnityEngine;
 
 namespace NeuronMocap.Unity
 {
-    /// <summary>How much of the performer's motion each part of a figure takes over, 0 to 1. A part at 0 is left to animations, or a headset.</summary>
+    /// <summary>
+    /// How much of the performer's motion each part of a figure follows, 0 to 1. A part at 0 is not changed: animations or a headset can move it.
+    /// </summary>
     [Serializable]
     public sealed class PartWeights
     {
-        [Tooltip("How the body is turned and where it is.")]
+        [Tooltip("Position and rotation of the whole body.")]
         [Range(0, 1)]
         [SerializeField]
         private float _hips = 1;
@@ -20,7 +22,7 @@ namespace NeuronMocap.Unity
         [SerializeField]
         private float _spine = 1;
 
-        [Tooltip("Neck and head. 0 leaves them to a headset.")]
+        [Tooltip("Neck and head. At 0, a headset can turn them.")]
         [Range(0, 1)]
         [SerializeField]
         private float _head = 1;
@@ -56,14 +58,14 @@ namespace NeuronMocap.Unity
         private float _rightLeg = 1;
 
         /// <summary>Gets the weight of one of the nine parts.</summary>
-        /// <param name="part">One part.</param>
+        /// <param name="part">A single part.</param>
         /// <returns>0 to 1.</returns>
-        /// <exception cref="ArgumentOutOfRangeException">Not one part.</exception>
+        /// <exception cref="ArgumentOutOfRangeException">The value is not a single part.</exception>
         public float Get(BodyParts part) => Field(part);
 
         /// <summary>Sets the weight of one or more parts.</summary>
         /// <param name="parts">The parts.</param>
-        /// <param name="weight">0 to 1; what is beyond is cut off.</param>
+        /// <param name="weight">0 to 1. Values outside the range are clamped.</param>
         public void Set(BodyParts parts, float weight)
         {
             for (BodyParts part = BodyParts.Hips; part <= BodyParts.RightLeg; part = (BodyParts)((int)part << 1))
@@ -92,7 +94,7 @@ namespace NeuronMocap.Unity
                 case BodyParts.RightFingers: return ref _rightFingers;
                 case BodyParts.LeftLeg: return ref _leftLeg;
                 case BodyParts.RightLeg: return ref _rightLeg;
-                default: throw new ArgumentOutOfRangeException(nameof(part), part, "One of the nine parts of the body.");
+                default: throw new ArgumentOutOfRangeException(nameof(part), part, "The value must be one of the nine parts of the body.");
             }
         }
     }

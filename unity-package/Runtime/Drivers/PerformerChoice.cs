@@ -2,7 +2,7 @@
 
 namespace NeuronMocap.Unity
 {
-    /// <summary>How a figure finds its performer.</summary>
+    /// <summary>Specifies how a figure finds its performer.</summary>
     public enum PerformerChoice
     {
         /// <summary>By its number on the server.</summary>

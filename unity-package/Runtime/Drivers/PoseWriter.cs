@@ -8,8 +8,8 @@ using Vector3 = UnityEngine.Vector3;
 
 namespace NeuronMocap.Unity
 {
-    // Writes poses to transforms. With a weight below 1 they are mixed with what somebody else, usually an Animator, has written meanwhile; where nobody
-    // has, with the rest pose. Main thread.
+    // Writes poses to transforms. With a weight below 1, it mixes them with the pose that another component, usually an Animator, wrote in the
+    // meantime. If there is no such pose, it mixes them with the rest pose. Main thread.
     internal sealed class PoseWriter
     {
         private readonly Transform[] _nodes;
@@ -57,18 +57,18 @@ namespace NeuronMocap.Unity
                 Move(pose.HipsLocalPosition.ToUnity(), weight);
         }
 
-        // Before the first pose after this, what lies between bones is put to rest once more.
+        // Before the next pose, intermediate transforms return to rest once more.
         public void End() => _hasBegun = false;
 
-        // What was driven goes back to rest.
+        // Returns driven transforms to rest.
         public void Restore()
         {
             for (int node = 0; node < _nodes.Length; node++)
                 Release(node);
         }
 
-        // Poses count on what lies between bones, such as twist bones, being at rest, however the figure was left standing in the scene. From then on it is
-        // its own matter.
+        // Poses assume that intermediate transforms, such as twist bones, are at rest, whatever their pose in the scene was. After that, other
+        // components may move them.
         private void Begin()
         {
             _hasBegun = true;
@@ -79,7 +79,7 @@ namespace NeuronMocap.Unity
             }
         }
 
-        // A bone that is driven no more is somebody else's, and goes to rest where nobody has taken it.
+        // A bone that is no longer driven belongs to other components. It returns to rest unless another component has moved it.
         private void Release(int node)
         {
             if (!_isWritten[node])
@@ -106,7 +106,7 @@ namespace NeuronMocap.Unity
                 rotation = Quaternion.Slerp(present.Equals(_written[node]) ? _rest[node] : present, rotation, weight);
             }
 
-            // Read back, because Unity normalises; compared with Equals, because == takes what is less than a quarter of a degree apart for the same.
+            // Reads the value back, because Unity normalises it. Equals compares exactly; == ignores differences of less than a quarter of a degree.
             transform.localRotation = rotation;
             _written[node] = transform.localRotation;
             _isWritten[node] = true;

@@ -6,10 +6,11 @@ using UnityEngine;
 
 namespace NeuronMocap.Unity
 {
-    // Where a figure's transforms are at rest, relative to their parents: as its avatar says; else as its skin was bound; else as they stand now.
+    // The rest pose of a figure's transforms, relative to their parents: from its avatar, or else from the bind pose of its skin, or else the current
+    // pose.
     internal sealed class RestPose
     {
-        public const string FromBindPose = "The avatar does not say how the figure stands at rest; its bind pose is taken instead.";
+        public const string FromBindPose = "The avatar does not contain the figure's rest pose. The bind pose is used instead.";
 
         public const string FromPresent =
             "The figure's rest pose is not known: it has no avatar and no skin. The initial pose is used instead; it must be the T-pose.";
@@ -20,7 +21,7 @@ namespace NeuronMocap.Unity
 
         private RestPose(Transform root) => _root = root;
 
-        // What is to be said about it; empty when there is nothing.
+        // A note about the rest pose. Empty if there is none.
         public string Note { get; private set; } = string.Empty;
 
         public static RestPose OfAvatar(Transform root, Avatar avatar)
@@ -33,7 +34,7 @@ namespace NeuronMocap.Unity
                 return rest;
             }
 
-            // The first of a name: names of an avatar's transforms are unique, but those of props that hang from them need not be.
+            // Takes the first transform of a name. Names of an avatar's transforms are unique, but names of attached props need not be.
             foreach (SkeletonBone bone in skeleton)
                 rest._skeleton.TryAdd(bone.name, bone);
 
@@ -77,7 +78,7 @@ namespace NeuronMocap.Unity
             return WorldOf(transform.parent!) * Matrix4x4.TRS(position, rotation, scale);
         }
 
-        // A bind pose says where the mesh is in a bone's space.
+        // A bind pose is the transform of the mesh in a bone's space.
         private void TakeSkins(string note)
         {
             foreach (SkinnedMeshRenderer skin in _root.GetComponentsInChildren<SkinnedMeshRenderer>(true))

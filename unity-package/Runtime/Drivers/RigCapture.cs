@@ -7,7 +7,7 @@ using UnityEngine;
 
 namespace NeuronMocap.Unity
 {
-    // A figure's transforms at rest, parents first: those that are bones and those that bones hang from.
+    // A figure's transforms at rest, parents first: the bones and their ancestors.
     internal sealed class RigCapture
     {
         private readonly Dictionary<Transform, int> _indices = new Dictionary<Transform, int>();
@@ -19,7 +19,7 @@ namespace NeuronMocap.Unity
 
         public Transform[] Transforms => _transforms.ToArray();
 
-        // bones: transforms below the root; null and foreign ones are left out.
+        // bones: transforms below the root. Null and transforms of other objects are omitted.
         public static RigCapture Take(Transform root, IReadOnlyList<Transform?> bones, RestPose rest)
         {
             var needed = new HashSet<Transform>();

@@ -13,8 +13,8 @@ namespace NeuronMocap.Unity
         [Tooltip("The bone of the stream.")]
         public Bone Bone;
 
-        /// <summary>How much of the motion it takes over, 0 to 1. At 0 it is left alone.</summary>
-        [Tooltip("How much of the motion it follows. At 0 it is not changed.")]
+        /// <summary>How much of the motion the bone follows, 0 to 1. At 0 it is not changed.</summary>
+        [Tooltip("How much of the motion the bone follows. At 0 it is not changed.")]
         [Range(0, 1)]
         public float Weight;
     }

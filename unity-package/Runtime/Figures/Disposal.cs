@@ -5,7 +5,7 @@ namespace NeuronMocap.Unity
 {
     internal static class Disposal
     {
-        // Unity allows the delayed way in play mode only, and asks for it there.
+        // Unity allows Destroy only in play mode, and requires it there.
         public static void Destroy(Object? thing)
         {
             if (thing == null)

@@ -6,8 +6,8 @@ using UnityEngine;
 namespace NeuronMocap.Unity
 {
     /// <summary>
-    /// Builds a complete Humanoid character for a performer, of the performer's own sizes, and gives it to the <see cref="HumanoidDriver"/> on the same object:
-    /// no model is needed to see motion. Built again when the sizes change. The figure is a child of this object and ends with this component.
+    /// Builds a complete Humanoid character in the performer's own sizes for the <see cref="HumanoidDriver"/> on the same object. No model is needed
+    /// to see motion. The figure is built again when the sizes change. It is a child of this object and is destroyed with this component.
     /// </summary>
     [AddComponentMenu("NeuronMocap/Figure Builder")]
     [RequireComponent(typeof(HumanoidDriver))]
@@ -15,10 +15,10 @@ namespace NeuronMocap.Unity
     [DisallowMultipleComponent]
     public sealed class FigureBuilder : MonoBehaviour
     {
-        // Sizes that are being learnt may change with every frame; a figure is a thousand objects' work.
+        // While sizes are being learnt, they may change with every frame. Building a figure is expensive.
         private const float ShortestLife = 0.5f;
 
-        // Centimetres; less than anybody sees.
+        // In centimetres. Smaller differences are not visible.
         private const float SameSize = 0.005f;
 
         [SerializeField]
@@ -26,7 +26,7 @@ namespace NeuronMocap.Unity
         private FigureLook _look = new FigureLook();
 
         [SerializeField]
-        [Tooltip("Show a figure of usual sizes in the T-pose before there is a performer.")]
+        [Tooltip("Show a figure with default sizes in the T-pose before there is a performer.")]
         private bool _showBeforeData = true;
 
         private SkeletonBody? _refused;
@@ -34,38 +34,40 @@ namespace NeuronMocap.Unity
         private float _builtAt = float.NegativeInfinity;
         private bool _isDue;
 
-        /// <summary>A figure was built, for the first time or for other sizes. Main thread; the one before is about to be destroyed.</summary>
+        /// <summary>
+        /// Occurs when a figure was built, for the first time or for other sizes. Main thread. The previous figure is about to be destroyed.
+        /// </summary>
         public event Action<HumanoidFigure>? Built;
 
-        /// <summary>Colours and material; of the next figure, or after <see cref="Rebuild"/>.</summary>
+        /// <summary>Gets or sets colours and material. They apply to the next figure, or after <see cref="Rebuild"/>.</summary>
         public FigureLook Look
         {
             get => _look;
             set => _look = value ?? new FigureLook();
         }
 
-        /// <summary>Whether there is a figure of usual sizes before there is a performer.</summary>
+        /// <summary>Gets or sets whether a figure with default sizes is shown before there is a performer.</summary>
         public bool ShowBeforeData
         {
             get => _showBeforeData;
             set => _showBeforeData = value;
         }
 
-        /// <summary>The figure; null before there is one. It is another one after sizes have changed.</summary>
+        /// <summary>Gets the figure, or null before it is built. It is another object after sizes change.</summary>
         public HumanoidFigure? Figure { get; private set; }
 
-        /// <summary>Moves the figure.</summary>
+        /// <summary>Gets the driver that moves the figure.</summary>
         public HumanoidDriver Driver { get; private set; } = null!;
 
-        /// <summary>Why there is no figure of the performer's sizes; empty while all is well.</summary>
+        /// <summary>Gets the reason why there is no figure in the performer's sizes. Empty if there is no problem.</summary>
         public string Problem { get; private set; } = "";
 
-        /// <summary>Builds the figure anew, with the look as it is now.</summary>
+        /// <summary>Builds the figure again, with the current look.</summary>
         public void Rebuild() => Build(Driver.Performer?.Body ?? Figure?.Body ?? SkeletonBody.GetDefault());
 
         private void Awake() => Driver = GetComponent<HumanoidDriver>();
 
-        // Not built here: while an object is being activated, Unity gives it no children.
+        // Not built here, because Unity does not allow new children while an object is being activated.
         private void OnEnable() => _isDue = true;
 
         private void Start() => BuildFirst();
@@ -81,7 +83,7 @@ namespace NeuronMocap.Unity
             if (ReferenceEquals(body, _refused) || (isBuilt && ReferenceEquals(body, _shown)))
                 return;
 
-            // A performer who comes back brings the same sizes as another object.
+            // A performer who returns has the same sizes in a new object.
             if (isBuilt && AreSame(body, Figure!.Body))
                 _shown = body;
             else if (!isBuilt || Time.unscaledTime - _builtAt >= ShortestLife)
@@ -95,7 +97,7 @@ namespace NeuronMocap.Unity
             _isDue = false;
         }
 
-        // Of usual sizes; the performer's own replace them at once.
+        // With default sizes. The performer's own sizes replace them at once.
         private void BuildFirst()
         {
             if (!_isDue)
@@ -117,7 +119,7 @@ namespace NeuronMocap.Unity
             }
             catch (ArgumentException exception)
             {
-                // The same body would fail in every frame; the figure before stays.
+                // The same body would fail in every frame. The previous figure stays.
                 _refused = body;
                 Problem = exception.Message;
                 return;
@@ -160,7 +162,7 @@ namespace NeuronMocap.Unity
             return true;
         }
 
-        // As the builder's object, so that cameras that leave it out leave the figure out.
+        // The figure has the layer of the builder's object, so cameras that exclude that layer exclude the figure.
         private static void SetLayer(Transform node, int layer)
         {
             node.gameObject.layer = layer;

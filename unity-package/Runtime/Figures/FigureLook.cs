@@ -4,7 +4,7 @@ using UnityEngine;
 
 namespace NeuronMocap.Unity
 {
-    /// <summary>What a built figure looks like. Takes effect when the figure is built.</summary>
+    /// <summary>The look of a built figure. It takes effect when the figure is built.</summary>
     [Serializable]
     public sealed class FigureLook
     {
@@ -17,18 +17,18 @@ namespace NeuronMocap.Unity
         private Color _accentColor = new Color(0.95f, 0.42f, 0.1f);
 
         [SerializeField]
-        [Tooltip("A material to copy and colour. Empty: the render pipeline's own lit material. Set one for builds whose shaders are stripped: "
-            + "a shader that no material of the project uses is not in the player.")]
+        [Tooltip("A material to copy and colour. Empty: the lit material of the render pipeline. Set one for builds with shader stripping: "
+            + "a player contains only shaders that a material of the project uses.")]
         private Material? _material;
 
-        /// <summary>Colour of body, limbs and head.</summary>
+        /// <summary>Gets or sets the colour of body, limbs and head.</summary>
         public Color BodyColor
         {
             get => _bodyColor;
             set => _bodyColor = value;
         }
 
-        /// <summary>Colour of joints and visor.</summary>
+        /// <summary>Gets or sets the colour of joints and visor.</summary>
         public Color AccentColor
         {
             get => _accentColor;
@@ -36,8 +36,8 @@ namespace NeuronMocap.Unity
         }
 
         /// <summary>
-        /// A material to copy and colour; null for the render pipeline's own lit material. A player contains only shaders that some material of the project
-        /// uses, so a build may need one here.
+        /// Gets or sets a material to copy and colour. Null: the lit material of the render pipeline. A player contains only shaders that a material
+        /// of the project uses, so a build may need a material here.
         /// </summary>
         public Material? Material
         {
@@ -45,18 +45,18 @@ namespace NeuronMocap.Unity
             set => _material = value;
         }
 
-        /// <summary>A look of the given colours.</summary>
+        /// <summary>Creates a look with the given colours.</summary>
         /// <param name="body">Colour of body, limbs and head.</param>
         /// <param name="accent">Colour of joints and visor.</param>
         /// <returns>A new look.</returns>
         public static FigureLook Of(Color body, Color accent) => new FigureLook { _bodyColor = body, _accentColor = accent };
 
-        /// <summary>A look whose joints have a colour of their own for each number, far from that of its neighbours.</summary>
+        /// <summary>Creates a look whose joints have a distinct colour for each number, far from the colours of neighbouring numbers.</summary>
         /// <param name="number">Any number, such as that of an avatar.</param>
         /// <returns>A new look.</returns>
         public static FigureLook Numbered(int number)
         {
-            // Steps of the golden ratio never come close to each other soon.
+            // Steps of the golden ratio keep successive hues far apart.
             float hue = Mathf.Repeat(0.06f + (number * 0.618034f), 1);
             return Of(new Color(0.78f, 0.8f, 0.84f), Color.HSVToRGB(hue, 0.8f, 0.95f));
         }

@@ -4,7 +4,7 @@ using UnityEngine.Rendering;
 
 namespace NeuronMocap.Unity
 {
-    // A plain lit material in whatever render pipeline the project uses.
+    // A plain lit material for the render pipeline of the project.
     internal static class FigureMaterials
     {
         private static readonly int BaseColor = Shader.PropertyToID("_BaseColor");
@@ -29,7 +29,7 @@ namespace NeuronMocap.Unity
             "Unlit/Color",
         };
 
-        // Always in a player, in any pipeline; without light.
+        // Always in a player, in any pipeline; unlit.
         private static readonly string[] LastResorts = { "Sprites/Default", "UI/Default", "Hidden/InternalErrorShader" };
 
         public static Material Create(Material? template, Color color, string name)

@@ -6,7 +6,7 @@ using Vector3 = UnityEngine.Vector3;
 
 namespace NeuronMocap.Unity
 {
-    // All shapes of a figure in one mesh with two parts, one for each colour. Each vertex follows one bone, so that the joints stay those of a doll.
+    // All shapes of a figure in one mesh with two submeshes, one for each colour. Each vertex follows one bone, so joints look like those of a doll.
     internal sealed class FigureMesh
     {
         private const int RingsPerCap = 5;
@@ -22,7 +22,7 @@ namespace NeuronMocap.Unity
         {
         }
 
-        // joints: where the bones are at rest, in the axes of the figure's root; metres.
+        // joints: rest positions of the bones in the axes of the figure's root, in metres.
         public static Mesh Create(IReadOnlyList<FigureShape> shapes, IReadOnlyList<Vector3> joints)
         {
             var mesh = new FigureMesh();
@@ -99,7 +99,7 @@ namespace NeuronMocap.Unity
             }
         }
 
-        // A pole, rings, a pole; Unity shows the side from which a triangle's corners run clockwise.
+        // A pole, rings, a pole. Unity shows the side on which a triangle's corners are clockwise.
         private static void AddTriangles(List<int> triangles, int first, int segments, int rings)
         {
             int last = first + 1 + (rings * segments);

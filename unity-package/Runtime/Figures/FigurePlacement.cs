@@ -2,16 +2,16 @@
 
 namespace NeuronMocap.Unity
 {
-    /// <summary>Where a spawner puts its figures.</summary>
+    /// <summary>Specifies where a spawner puts its figures.</summary>
     public enum FigurePlacement
     {
-        /// <summary>All at the spawner: the performers share one stage, and stand on it as they did on theirs.</summary>
+        /// <summary>All figures are at the spawner. The performers share one stage and stand on it as they did on theirs.</summary>
         SharedStage,
 
-        /// <summary>Each on a stage of its own, side by side, the first in the middle.</summary>
+        /// <summary>Each figure has its own stage, side by side, the first in the middle.</summary>
         Row,
 
-        /// <summary>Each on a stage of its own, in rows one behind the other.</summary>
+        /// <summary>Each figure has its own stage, in rows one behind the other.</summary>
         Grid,
     }
 }

@@ -4,7 +4,7 @@ using Vector3 = UnityEngine.Vector3;
 
 namespace NeuronMocap.Unity
 {
-    // A capsule whose section is an ellipse that may change from end to end: a limb, a palm, a skull. Metres, in the axes of its bone.
+    // A capsule with an elliptical section that may change from end to end: a limb, a palm, a skull. In metres, in the axes of its bone.
     internal readonly struct FigureShape
     {
         public FigureShape(Bone bone, Vector3 start, Vector3 end, Vector2 startRadii, Vector2 endRadii, Vector3 side, bool isAccent = false, float bulge = 0)
@@ -21,7 +21,7 @@ namespace NeuronMocap.Unity
 
         public Bone Bone { get; }
 
-        // Centres of the two end sections; the round ends reach beyond them.
+        // Centres of the two end sections. The round ends extend beyond them.
         public Vector3 Start { get; }
 
         public Vector3 End { get; }
@@ -36,7 +36,7 @@ namespace NeuronMocap.Unity
         // Drawn in the second colour.
         public bool IsAccent { get; }
 
-        // How much thicker it is where a muscle is thickest, a quarter of the way along; a part of the radii.
+        // How much thicker the shape is a quarter of the way along, where a muscle is thickest, as a fraction of the radii.
         public float Bulge { get; }
 
         public static FigureShape Round(Bone bone, Vector3 start, Vector3 end, float startRadius, float endRadius, bool isAccent = false, float bulge = 0) =>

@@ -7,10 +7,10 @@ using Vector3 = UnityEngine.Vector3;
 
 namespace NeuronMocap.Unity
 {
-    // What a figure looks like: a jointed doll. Lengths are the body's own; thicknesses are those of an adult, by stature.
+    // The shapes of a figure: a jointed doll. Lengths are those of the body. Thicknesses are those of an adult, scaled by stature.
     internal sealed class FigureShapes
     {
-        // Height of the default body's hips, in metres: the stature that the thicknesses below belong to.
+        // Height of the default body's hips, in metres. The thicknesses below belong to this stature.
         private const float ReferenceHipsHeight = 0.841f;
 
         private readonly List<FigureShape> _shapes = new List<FigureShape>(64);
@@ -36,8 +36,8 @@ namespace NeuronMocap.Unity
             return shapes._shapes;
         }
 
-        // A pelvis, a narrower waist and a rib cage, one into the other. Both variants have five bones from the hips up; where the shoulders hang decides
-        // which of them are the chest.
+        // Pelvis, narrower waist and rib cage, which overlap. Both variants have five bones from the hips up. The parent of the shoulders determines
+        // which of them form the chest.
         private void AddTrunk()
         {
             Vector2 waist = Radii(0.106f, 0.081f);
@@ -53,7 +53,7 @@ namespace NeuronMocap.Unity
             if (hasFourSpineBones)
                 Add(Bone.Spine2, Vector3.zero, Offset(Bone.Neck), waist, waist);
 
-            // From the lowest rib to below the collar bones, which the round end reaches.
+            // From the lowest rib to below the collar bones. The round end reaches them.
             float collar = Mathf.Max(0, Offset(Bone.LeftShoulder).y);
             var top = new Vector3(0, collar - (0.045f * _size), 0);
             var ribs = new Vector3(0, top.y - (0.13f * _size), 0.008f * _size);
@@ -72,7 +72,7 @@ namespace NeuronMocap.Unity
             Vector2 skull = new Vector2(0.48f, 0.57f) * length;
             Add(Bone.Head, (up * (0.22f * length)) + (Vector3.forward * (0.16f * length)), (up * (0.6f * length)) + (Vector3.forward * (0.05f * length)), jaw, skull);
 
-            // A visor, so that one sees where the figure looks.
+            // A visor shows where the figure looks.
             Vector3 eyes = (up * (0.53f * length)) + (Vector3.forward * (0.5f * length));
             Vector3 half = Vector3.right * (0.21f * length);
             var visor = new Vector2(0.13f, 0.14f) * length;
@@ -88,7 +88,7 @@ namespace NeuronMocap.Unity
             _shapes.Add(FigureShape.Ball(shin, 0.055f * _size));
             AddMuscle(shin, Vector3.zero, Offset(foot), 0.048f, 0.034f, 0.2f);
 
-            // A sole on the ground, from behind the ankle to the toes, and what joins it to the ankle.
+            // A sole on the ground, from behind the ankle to the toes, and its connection to the ankle.
             Vector3 toes = End(foot);
             float half = Mathf.Min(0.026f * _size, Mathf.Abs(toes.y) / 2);
             Vector3 tip = toes + new Vector3(0, half, 0);
@@ -110,7 +110,7 @@ namespace NeuronMocap.Unity
             AddHand(hand);
         }
 
-        // The four fingers are a palm bone and three more each, the thumb three. The palm is one shape: its bones hardly move.
+        // Each of the four fingers has a palm bone and three more bones; the thumb has three. The palm is one shape, because its bones hardly move.
         private void AddHand(Bone hand)
         {
             Bone thumb = hand + 1;

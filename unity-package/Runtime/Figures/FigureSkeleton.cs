@@ -6,13 +6,13 @@ using UnityEngine;
 
 namespace NeuronMocap.Unity
 {
-    // The 59 bones as transforms, and what Unity has to know to see a human in them.
+    // The 59 bones as transforms, and the description that Unity needs for a Humanoid avatar.
     internal static class FigureSkeleton
     {
         private const float HalfTwist = 0.5f;
         private const float DefaultStretch = 0.05f;
 
-        // A child for every bone, standing in the T-pose and facing Z. The root has no parent and is not moved, turned or scaled.
+        // Creates a child for every bone, in the T-pose, facing Z. The root must have no parent and an identity transform.
         public static Transform[] Create(Transform root, SkeletonBody body)
         {
             var bones = new Transform[BoneHierarchy.BoneCount];
@@ -28,14 +28,14 @@ namespace NeuronMocap.Unity
             return bones;
         }
 
-        // Unity reads the live transforms, too: they have to stand as Create left them.
+        // Unity also reads the live transforms, which must be as Create left them.
         public static HumanDescription Describe(Transform root, IReadOnlyList<Transform> bones, SkeletonVariant variant)
         {
             var skeleton = new List<UnityEngine.SkeletonBone>(bones.Count + 1) { Describe(root) };
             foreach (Transform bone in bones)
                 skeleton.Add(Describe(bone));
 
-            // All zero would make limbs that neither twist nor stretch: these are the importer's own values.
+            // With zeros, limbs would neither twist nor stretch. These are the importer's own values.
             return new HumanDescription
             {
                 human = MapHuman(variant),
@@ -51,10 +51,10 @@ namespace NeuronMocap.Unity
             };
         }
 
-        // The bone that carries a human bone; null for those that an actor does not have: toes, eyes, jaw.
+        // The bone for a human bone. Null for toes, eyes and jaw, which an actor's skeleton does not have.
         public static Bone? FindBone(HumanBodyBones human, SkeletonVariant variant)
         {
-            // The lowest of the neck: its rotations are then the whole neck's, and the second bone follows.
+            // The lowest neck bone. Its rotation moves the whole neck, and the second bone follows.
             if (human == HumanBodyBones.Neck)
                 return variant == SkeletonVariant.Spine3 ? Bone.Neck1 : Bone.Neck;
 
@@ -63,7 +63,7 @@ namespace NeuronMocap.Unity
 
         private static HumanBone[] MapHuman(SkeletonVariant variant)
         {
-            // The names are Unity's own: it ignores wrong ones without a word.
+            // The names must be Unity's own: Unity ignores wrong names silently.
             string[] names = HumanTrait.BoneName;
             var human = new List<HumanBone>(names.Length);
             for (int i = 0; i < names.Length; i++)

@@ -7,8 +7,8 @@ using Vector3 = UnityEngine.Vector3;
 namespace NeuronMocap.Unity
 {
     /// <summary>
-    /// A complete Humanoid character made at run time for an actor's body: 59 bones, a human <see cref="UnityEngine.Avatar"/>, an <see cref="Animator"/>, and
-    /// one skinned mesh. Everything ends with its <see cref="Root"/>. Main thread.
+    /// A complete Humanoid character created at run time for an actor's body: 59 bones, a human <see cref="UnityEngine.Avatar"/>, an
+    /// <see cref="Animator"/>, and one skinned mesh. Destroying <see cref="Root"/> destroys all of it. Use it on the main thread.
     /// </summary>
     public sealed class HumanoidFigure : IDisposable
     {
@@ -24,32 +24,32 @@ namespace NeuronMocap.Unity
             Renderer = renderer;
         }
 
-        /// <summary>The figure's object, whose origin is on the ground between the feet.</summary>
+        /// <summary>Gets the figure's object, whose origin is on the ground between the feet.</summary>
         public GameObject Root { get; }
 
-        /// <summary>The body that it was built for.</summary>
+        /// <summary>Gets the body that the figure was built for.</summary>
         public SkeletonBody Body { get; }
 
-        /// <summary>The human avatar. Destroyed with the figure.</summary>
+        /// <summary>Gets the human avatar. It is destroyed with the figure.</summary>
         public Avatar Avatar { get; }
 
-        /// <summary>On <see cref="Root"/>; has the avatar and no controller.</summary>
+        /// <summary>Gets the Animator on <see cref="Root"/>. It has the avatar and no controller.</summary>
         public Animator Animator { get; }
 
-        /// <summary>Draws the figure, in two materials: body, and joints with visor.</summary>
+        /// <summary>Gets the renderer of the figure, with two materials: one for the body, one for joints and visor.</summary>
         public SkinnedMeshRenderer Renderer { get; }
 
-        /// <summary>Whether it was destroyed.</summary>
+        /// <summary>Gets whether the figure was destroyed.</summary>
         public bool IsDestroyed => Root == null;
 
-        /// <summary>Builds a figure, standing in the T-pose at the origin, or as a child in the place of its parent.</summary>
+        /// <summary>Builds a figure in the T-pose, at the origin or at the place of its parent.</summary>
         /// <param name="body">The sizes.</param>
-        /// <param name="look">Colours and material; null for the defaults.</param>
-        /// <param name="parent">What the figure is to hang from; null for the scene itself.</param>
-        /// <param name="name">Name of the figure's object. One that a bone has is changed, because Unity needs them to differ.</param>
+        /// <param name="look">Colours and material. Null: the defaults.</param>
+        /// <param name="parent">The parent of the figure. Null: the scene itself.</param>
+        /// <param name="name">Name of the figure's object. It is changed if a bone has the same name, because Unity needs unique names.</param>
         /// <returns>The figure.</returns>
-        /// <exception cref="ArgumentNullException">There is no body.</exception>
-        /// <exception cref="ArgumentException">Unity makes no human avatar of this body, because lengths of it are zero for example.</exception>
+        /// <exception cref="ArgumentNullException">The body is null.</exception>
+        /// <exception cref="ArgumentException">Unity cannot create a human avatar for this body, for example because lengths are zero.</exception>
         public static HumanoidFigure Build(SkeletonBody body, FigureLook? look = null, Transform? parent = null, string name = "Figure")
         {
             if (body is null)
@@ -61,7 +61,7 @@ namespace NeuronMocap.Unity
             {
                 HumanoidFigure figure = Build(root, body, look ?? new FigureLook());
 
-                // Not before: AvatarBuilder wants a root without parent.
+                // Not earlier, because AvatarBuilder requires a root without a parent.
                 if (parent != null)
                     root.transform.SetParent(parent, false);
 
@@ -74,19 +74,19 @@ namespace NeuronMocap.Unity
             }
         }
 
-        /// <summary>The transform of a bone.</summary>
-        /// <param name="bone">A bone.</param>
+        /// <summary>Gets the transform of a bone.</summary>
+        /// <param name="bone">The bone.</param>
         /// <returns>Its transform.</returns>
-        /// <exception cref="ArgumentOutOfRangeException">There is no such bone.</exception>
+        /// <exception cref="ArgumentOutOfRangeException">The bone is not defined.</exception>
         public Transform GetBone(Bone bone)
         {
             if ((uint)bone >= (uint)_bones.Length)
-                throw new ArgumentOutOfRangeException(nameof(bone), bone, "There are 59 bones, 0 to 58.");
+                throw new ArgumentOutOfRangeException(nameof(bone), bone, "The bone must be one of the 59 bones, 0 to 58.");
 
             return _bones[(int)bone];
         }
 
-        /// <summary>Destroys the figure and all that was made for it. Again: nothing.</summary>
+        /// <summary>Destroys the figure and everything created for it. Further calls do nothing.</summary>
         public void Dispose() => Disposal.Destroy(Root);
 
         private static HumanoidFigure Build(GameObject root, SkeletonBody body, FigureLook look)
@@ -96,7 +96,7 @@ namespace NeuronMocap.Unity
             Avatar avatar = owned.Keep(AvatarBuilder.BuildHumanAvatar(root, FigureSkeleton.Describe(root.transform, bones, body.Variant)));
             avatar.name = root.name;
             if (!avatar.isValid || !avatar.isHuman)
-                throw new ArgumentException("Unity makes no human avatar of this body: lengths of it are zero, or not those of a human.", nameof(body));
+                throw new ArgumentException("Unity cannot create a human avatar for this body: its lengths are zero, or not those of a human.", nameof(body));
 
             var animator = root.AddComponent<Animator>();
             animator.applyRootMotion = false;
@@ -122,7 +122,7 @@ namespace NeuronMocap.Unity
                 owned.Keep(FigureMaterials.Create(look.Material, look.AccentColor, "Figure joints")),
             };
 
-            // Around the hips, however the limbs are stretched: the mesh's own bounds know the T-pose only.
+            // Bounds around the hips that fit any pose. The mesh's own bounds fit only the T-pose.
             renderer.localBounds = new Bounds(Vector3.zero, 3 * renderer.sharedMesh.bounds.size.y * Vector3.one);
             return renderer;
         }

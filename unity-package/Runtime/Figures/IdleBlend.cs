@@ -6,10 +6,11 @@ using Vector3 = UnityEngine.Vector3;
 
 namespace NeuronMocap.Unity
 {
-    // Takes a humanoid from what its driver does to standing at ease, and back, after the driver. Each way begins at a snapshot of the character.
+    // Blends a humanoid from its driver's pose to standing with arms down, and back. Runs after the driver. Each blend starts at a snapshot of the
+    // character.
     internal sealed class IdleBlend
     {
-        // How far arms hang below the horizontal.
+        // The angle of the arms below the horizontal.
         private const float ArmsDown = 75 * Mathf.Deg2Rad;
 
         private readonly Transform _root;
@@ -23,7 +24,7 @@ namespace NeuronMocap.Unity
         private float _progress = 1;
         private bool _isIdle;
 
-        // A humanoid that nothing has moved yet.
+        // animator: a humanoid still in its rest pose.
         public IdleBlend(Animator animator)
         {
             _root = animator.transform;
@@ -45,20 +46,20 @@ namespace NeuronMocap.Unity
             Lower(animator, HumanBodyBones.RightUpperArm, HumanBodyBones.RightLowerArm, 1);
         }
 
-        // The first of the enumeration; every human has them.
+        // The first bone of the enumeration. Every human has hips.
         private Transform Hips => _bones[0];
 
         private Vector3 HipsPosition => _root.InverseTransformPoint(Hips.position);
 
         private Quaternion HipsRotation => Quaternion.Inverse(_root.rotation) * Hips.rotation;
 
-        // The data has stopped.
+        // Starts the blend to the idle pose, when data stops.
         public void Leave()
         {
             TakeSnapshot();
             _isIdle = true;
 
-            // Upright, where it stands and facing where it faced.
+            // Upright at its current place and heading.
             _idleHips = new Vector3(_fromHips.x, _restHips.y, _fromHips.z);
             Vector3 forward = HipsRotation * Quaternion.Inverse(_restHipsRotation) * Vector3.forward;
             forward.y = 0;
@@ -66,14 +67,14 @@ namespace NeuronMocap.Unity
             _idle[0] = Quaternion.Inverse(Hips.parent!.rotation) * _root.rotation * heading * _restHipsRotation;
         }
 
-        // There is data again.
+        // Starts the blend back, when data resumes.
         public void Return()
         {
             TakeSnapshot();
             _isIdle = false;
         }
 
-        // Each frame, after the animator and the driver. step: part of the way to go now.
+        // Runs in each frame, after the animator and the driver. step: the fraction of the blend to add.
         public void Apply(float step)
         {
             _progress = Mathf.Min(1, _progress + step);
@@ -97,7 +98,7 @@ namespace NeuronMocap.Unity
             _progress = 0;
         }
 
-        // Whatever the rest pose holds the arm like. Left is where X is negative.
+        // Lowers an arm from any rest pose. Left is at negative X.
         private void Lower(Animator animator, HumanBodyBones upper, HumanBodyBones lower, float side)
         {
             Transform arm = animator.GetBoneTransform(upper)!;

@@ -2,19 +2,19 @@
 
 namespace NeuronMocap.Unity
 {
-    /// <summary>What a spawned figure does while its performer's data has stopped.</summary>
+    /// <summary>Specifies what a spawned figure does while its performer's data has stopped.</summary>
     public enum IdlePose
     {
-        /// <summary>Stays as it is.</summary>
+        /// <summary>It keeps the last pose.</summary>
         Hold,
 
-        /// <summary>Stands where it is, arms down.</summary>
+        /// <summary>It stands in place, with arms down.</summary>
         Stand,
 
-        /// <summary>Goes to its rest pose, a T-pose in most cases, or to what its Animator plays.</summary>
+        /// <summary>It blends to its rest pose, usually a T-pose, or to the pose of its Animator.</summary>
         Rest,
 
-        /// <summary>Is not there.</summary>
+        /// <summary>It is hidden.</summary>
         Hide,
     }
 }

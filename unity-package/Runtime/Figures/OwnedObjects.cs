@@ -5,13 +5,13 @@ using Object = UnityEngine.Object;
 
 namespace NeuronMocap.Unity
 {
-    // On an object that was built: destroys what Unity does not collect (avatars, meshes, materials, textures) with it, however it ends.
+    // Destroys objects that Unity does not collect (avatars, meshes, materials, textures) together with the object that was built for them.
     [ExecuteAlways]
     [AddComponentMenu("")]
     internal sealed class OwnedObjects : MonoBehaviour
     {
-        // Not readonly: when the editor compiles scripts in play mode it carries private lists of Unity's objects over, but no readonly ones. A copy
-        // of the object that Instantiate makes gets none, and owns none.
+        // Not readonly: when the editor compiles scripts in play mode, it keeps private lists of Unity's objects, but not readonly ones. A copy made
+        // by Instantiate has an empty list and owns nothing.
         private List<Object> _objects = new List<Object>();
 
         public T Keep<T>(T thing)

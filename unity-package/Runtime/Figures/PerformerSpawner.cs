@@ -8,8 +8,8 @@ using Vector3 = UnityEngine.Vector3;
 namespace NeuronMocap.Unity
 {
     /// <summary>
-    /// Makes a figure for each performer of a source: of a prefab, or one of the performer's own sizes when there is none. Figures whose data stops become
-    /// idle, and are destroyed after a while. Main thread.
+    /// Creates a figure for each performer of a source: from a prefab, or in the performer's own sizes if there is no prefab. Figures become idle
+    /// when their data stops, and are destroyed after a while. Use it on the main thread.
     /// </summary>
     [AddComponentMenu("NeuronMocap/Performer Spawner")]
     [DefaultExecutionOrder(200)]
@@ -25,7 +25,7 @@ namespace NeuronMocap.Unity
 
         [SerializeField]
         [Range(1, 64)]
-        [Tooltip("Maximum number of figures at a time. More performers have to wait.")]
+        [Tooltip("Maximum number of figures at a time. Further performers wait.")]
         private int _maxFigures = 16;
 
         [SerializeField]
@@ -34,7 +34,7 @@ namespace NeuronMocap.Unity
 
         [SerializeField]
         [Min(0)]
-        [Tooltip("Distance between the stages of a row or grid; metres.")]
+        [Tooltip("Distance between the stages of a row or grid, in metres.")]
         private float _spacing = 1.5f;
 
         [SerializeField]
@@ -57,93 +57,96 @@ namespace NeuronMocap.Unity
         private float _despawnSeconds = 10;
 
         [SerializeField]
-        [Tooltip("A figure was made.")]
+        [Tooltip("Called when a figure was created.")]
         private UnityEvent<GameObject> _onSpawned = new UnityEvent<GameObject>();
 
         [SerializeField]
-        [Tooltip("A figure is about to be destroyed.")]
+        [Tooltip("Called when a figure is about to be destroyed.")]
         private UnityEvent<GameObject> _onDespawning = new UnityEvent<GameObject>();
 
         private readonly List<SpawnedFigure> _figures = new List<SpawnedFigure>();
         private bool _isFull;
         private GameObject? _badPrefab;
 
-        /// <summary>A figure was made. Main thread.</summary>
+        /// <summary>Occurs when a figure was created. Main thread.</summary>
         public event Action<SpawnedFigure>? Spawned;
 
-        /// <summary>A figure is about to be destroyed. Main thread.</summary>
+        /// <summary>Occurs when a figure is about to be destroyed. Main thread.</summary>
         public event Action<SpawnedFigure>? Despawning;
 
-        /// <summary>A figure's data stopped, or came back: <see cref="SpawnedFigure.IsIdle"/>. Main thread.</summary>
+        /// <summary>Occurs when a figure's data stops or resumes; see <see cref="SpawnedFigure.IsIdle"/>. Main thread.</summary>
         public event Action<SpawnedFigure>? IdleChanged;
 
-        /// <summary>The source whose performers get figures.</summary>
+        /// <summary>Gets or sets the source whose performers get figures.</summary>
         public MocapSource? Source
         {
             get => _source;
             set => _source = value;
         }
 
-        /// <summary>What figures are made of: a character with a humanoid Animator, or with a driver of its own. Null: built figures. Of those made from now on.</summary>
+        /// <summary>
+        /// Gets or sets the character to copy for each figure, with a humanoid Animator or its own driver. Null: built figures. Affects figures
+        /// created later.
+        /// </summary>
         public GameObject? Prefab
         {
             get => _prefab;
             set => _prefab = value;
         }
 
-        /// <summary>Most figures at a time, 1 to 64.</summary>
+        /// <summary>Gets or sets the maximum number of figures at a time, 1 to 64.</summary>
         public int MaxFigures
         {
             get => _maxFigures;
             set => _maxFigures = Mathf.Clamp(value, 1, 64);
         }
 
-        /// <summary>Where figures are put. Of those made from now on.</summary>
+        /// <summary>Gets or sets where figures are put. Affects figures created later.</summary>
         public FigurePlacement Placement
         {
             get => _placement;
             set => _placement = value;
         }
 
-        /// <summary>Distance between the stages of a row or grid; metres.</summary>
+        /// <summary>Gets or sets the distance between the stages of a row or grid, in metres.</summary>
         public float Spacing
         {
             get => _spacing;
             set => _spacing = Mathf.Max(0, value);
         }
 
-        /// <summary>Figures in each row of a grid, 1 to 16.</summary>
+        /// <summary>Gets or sets the number of figures in each row of a grid, 1 to 16.</summary>
         public int Columns
         {
             get => _columns;
             set => _columns = Mathf.Clamp(value, 1, 16);
         }
 
-        /// <summary>What a figure does while its performer's data has stopped.</summary>
+        /// <summary>Gets or sets what a figure does while its performer's data has stopped.</summary>
         public IdlePose IdlePose
         {
             get => _idlePose;
             set => _idlePose = value;
         }
 
-        /// <summary>How long a figure takes to the idle pose and back; seconds.</summary>
+        /// <summary>Gets or sets how long a figure takes to blend to the idle pose and back, in seconds.</summary>
         public float BlendSeconds
         {
             get => _blendSeconds;
             set => _blendSeconds = Mathf.Max(0, value);
         }
 
-        /// <summary>After how long figures that are idle are destroyed; seconds, 0 for never.</summary>
+        /// <summary>Gets or sets after how many seconds idle figures are destroyed. 0 for never.</summary>
         public float DespawnSeconds
         {
             get => _despawnSeconds;
             set => _despawnSeconds = Mathf.Max(0, value);
         }
 
-        /// <summary>The figures there are, in the order in which they were made.</summary>
+        /// <summary>Gets the figures, in the order in which they were created.</summary>
         public IReadOnlyList<SpawnedFigure> Figures => _figures;
 
-        /// <summary>Why a performer has no figure, with what to change; empty while all is well.</summary>
+        /// <summary>Gets the reason why a performer has no figure, and the setting to change. Empty if there is no problem.</summary>
         public string Problem { get; private set; } = "";
 
         /// <summary>Destroys all figures. Performers that are live get new ones.</summary>
@@ -200,7 +203,7 @@ namespace NeuronMocap.Unity
 
         private void Spawn(Performer performer)
         {
-            // Not in every frame anew.
+            // Does not repeat the check in every frame.
             if (_prefab != null && _prefab == _badPrefab)
                 return;
 
@@ -227,7 +230,7 @@ namespace NeuronMocap.Unity
             _onSpawned.Invoke(root);
         }
 
-        // Not active before all is set: it would look for a source of its own.
+        // Inactive until everything is set. Otherwise the driver would look for a source of its own.
         private static GameObject CreateBuilt(Performer performer)
         {
             var root = new GameObject();
@@ -283,7 +286,7 @@ namespace NeuronMocap.Unity
             Disposal.Destroy(figure.Root);
         }
 
-        // Of a performer that left its source nothing is kept up to date.
+        // A performer that left its source is no longer updated.
         private bool IsPresent(Performer performer)
         {
             if (_source == null)
@@ -310,7 +313,7 @@ namespace NeuronMocap.Unity
             return null;
         }
 
-        // The first that is free, so that nobody changes places when somebody leaves.
+        // The first free place, so that no figure moves when a performer leaves.
         private int FindPlace()
         {
             for (int place = 0; ; place++)

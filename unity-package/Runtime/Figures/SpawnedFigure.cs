@@ -3,7 +3,7 @@ using UnityEngine;
 
 namespace NeuronMocap.Unity
 {
-    /// <summary>A figure that a <see cref="PerformerSpawner"/> made.</summary>
+    /// <summary>A figure created by a <see cref="PerformerSpawner"/>.</summary>
     public sealed class SpawnedFigure
     {
         private IdleBlend? _blend;
@@ -26,27 +26,27 @@ namespace NeuronMocap.Unity
             }
         }
 
-        /// <summary>The figure's object, a child of the spawner.</summary>
+        /// <summary>Gets the figure's object, a child of the spawner.</summary>
         public GameObject Root { get; }
 
-        /// <summary>Moves the figure.</summary>
+        /// <summary>Gets the driver that moves the figure.</summary>
         public FigureDriver Driver { get; }
 
-        /// <summary>Whose figure it is. After a long pause, another object for the same one.</summary>
+        /// <summary>Gets the performer of the figure. After a long pause, the same performer is a new object.</summary>
         public Performer Performer { get; internal set; }
 
-        /// <summary>Which of the spawner's places it stands at, from 0.</summary>
+        /// <summary>Gets the figure's place among the spawner's places, from 0.</summary>
         public int Place { get; }
 
-        /// <summary>Whether the performer's data has stopped.</summary>
+        /// <summary>Gets whether the performer's data has stopped.</summary>
         public bool IsIdle { get; private set; }
 
-        /// <summary>For how long it has been idle; seconds.</summary>
+        /// <summary>Gets how long the figure has been idle, in seconds.</summary>
         public float IdleSeconds { get; private set; }
 
         internal bool IsDestroyed => Root == null;
 
-        // True when it became idle, or ceased to be.
+        // Returns true if the figure became idle, or active again.
         internal bool Update(bool isLive, IdlePose pose, float blendSeconds, float deltaTime)
         {
             IdleSeconds = isLive ? 0 : IdleSeconds + deltaTime;
@@ -83,7 +83,7 @@ namespace NeuronMocap.Unity
                 Root.SetActive(true);
         }
 
-        // Before the driver has moved it.
+        // Before the driver moves the character.
         private void Capture(Animator? animator)
         {
             if (animator != null && animator.isHuman)

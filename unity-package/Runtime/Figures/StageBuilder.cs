@@ -9,21 +9,21 @@ using Vector3 = UnityEngine.Vector3;
 namespace NeuronMocap.Unity
 {
     /// <summary>
-    /// Something to stand on and to be seen by, for scenes that have nothing yet: a ground with lines a metre apart, a light, and a camera that looks at
-    /// a target. Made when it is enabled, and gone when it is disabled.
+    /// Builds a stage for scenes that have none: a ground with lines a metre apart, a light, and a camera that looks at a target. The stage exists
+    /// while this component is enabled.
     /// </summary>
     [AddComponentMenu("NeuronMocap/Stage Builder")]
     [DefaultExecutionOrder(300)]
     [DisallowMultipleComponent]
     public sealed class StageBuilder : MonoBehaviour
     {
-        // A primitive plane is so many metres wide.
+        // Width of a primitive plane, in metres.
         private const float PlaneSize = 10;
         private const int TextureSize = 128;
         private const int LineWidth = 2;
         private const float FollowSeconds = 0.4f;
 
-        // What a primitive plane is made of. Player builds leave classes out that no script names, and CreatePrimitive needs them.
+        // Components of a primitive plane. Player builds strip classes that no script names, and CreatePrimitive needs these.
         private static readonly Type[] PlaneParts = { typeof(MeshFilter), typeof(MeshRenderer), typeof(MeshCollider) };
 
         [SerializeField]
@@ -32,7 +32,7 @@ namespace NeuronMocap.Unity
 
         [SerializeField]
         [Range(2, 100)]
-        [Tooltip("Width of the ground; metres.")]
+        [Tooltip("Width of the ground, in metres.")]
         private float _groundSize = 20;
 
         [SerializeField]
@@ -40,7 +40,7 @@ namespace NeuronMocap.Unity
         private Color _groundColor = new Color(0.32f, 0.34f, 0.38f);
 
         [SerializeField]
-        [Tooltip("A material to copy and colour. Empty: the render pipeline's own.")]
+        [Tooltip("A material to copy and colour. Empty: the lit material of the render pipeline.")]
         private Material? _groundMaterial;
 
         [SerializeField]
@@ -48,7 +48,7 @@ namespace NeuronMocap.Unity
         private bool _light = true;
 
         [SerializeField]
-        [Tooltip("A camera, unless the scene has a main camera already.")]
+        [Tooltip("Add a camera if the scene has no main camera.")]
         private bool _camera = true;
 
         [SerializeField]
@@ -56,7 +56,7 @@ namespace NeuronMocap.Unity
         private Transform? _target;
 
         [SerializeField]
-        [Tooltip("Where the camera is, seen from the target; metres.")]
+        [Tooltip("Position of the camera relative to the target, in metres.")]
         private Vector3 _viewpoint = new Vector3(1.2f, 0.6f, 3.4f);
 
         private GameObject? _stage;
@@ -64,52 +64,60 @@ namespace NeuronMocap.Unity
         private Vector3 _focus;
         private bool _hasFocus;
 
-        /// <summary>What the camera looks at and goes along with; where it has a <see cref="FigureBuilder"/>, the figure's hips; null for this object.</summary>
+        /// <summary>
+        /// Gets or sets the target that the camera looks at and follows. For a <see cref="FigureBuilder"/>, it is the figure's hips. Null: this
+        /// object.
+        /// </summary>
         public Transform? Target
         {
             get => _target;
             set => _target = value;
         }
 
-        /// <summary>Where the camera is, seen from the target; metres.</summary>
+        /// <summary>Gets or sets the position of the camera relative to the target, in metres.</summary>
         public Vector3 Viewpoint
         {
             get => _viewpoint;
             set => _viewpoint = value;
         }
 
-        /// <summary>A material to copy and colour for the ground; null for the render pipeline's own. Of the next time that the component is enabled.</summary>
+        /// <summary>
+        /// Gets or sets a material to copy and colour for the ground. Null: the lit material of the render pipeline. Applies when the component is
+        /// next enabled.
+        /// </summary>
         public Material? GroundMaterial
         {
             get => _groundMaterial;
             set => _groundMaterial = value;
         }
 
-        /// <summary>Whether there is a ground. Of the next time that the component is enabled.</summary>
+        /// <summary>Gets or sets whether the stage has a ground. Applies when the component is next enabled.</summary>
         public bool HasGround
         {
             get => _ground;
             set => _ground = value;
         }
 
-        /// <summary>Whether there is a light. Of the next time that the component is enabled.</summary>
+        /// <summary>Gets or sets whether the stage has a light. Applies when the component is next enabled.</summary>
         public bool HasLight
         {
             get => _light;
             set => _light = value;
         }
 
-        /// <summary>Whether there is a camera, where the scene has no main one. Of the next time that the component is enabled.</summary>
+        /// <summary>
+        /// Gets or sets whether the stage has a camera if the scene has no main camera. Applies when the component is next enabled.
+        /// </summary>
         public bool HasCamera
         {
             get => _camera;
             set => _camera = value;
         }
 
-        /// <summary>The camera that was made; null where the scene had one.</summary>
+        /// <summary>Gets the camera that was created, or null if the scene had one.</summary>
         public Camera? Camera { get; private set; }
 
-        // Not in OnEnable: while an object is being activated, Unity gives it no children.
+        // Not in OnEnable, because Unity does not allow new children while an object is being activated.
         private void Start() => Build();
 
         private void Build()
@@ -150,7 +158,7 @@ namespace NeuronMocap.Unity
             _hasFocus = false;
         }
 
-        // The object of a built figure stays where it is; the figure walks.
+        // The object of a built figure stays in place; only the figure walks.
         private Vector3 FindTarget()
         {
             if (_target == null)
@@ -194,7 +202,7 @@ namespace NeuronMocap.Unity
             _cameraTransform = eye.transform;
         }
 
-        // A metre: white with grey edges, to be coloured by the material.
+        // A square metre: white with grey edges, coloured by the material.
         private static Texture2D CreateGrid()
         {
             var pixels = new Color32[TextureSize * TextureSize];

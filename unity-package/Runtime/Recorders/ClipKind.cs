@@ -2,13 +2,15 @@
 
 namespace NeuronMocap.Unity
 {
-    /// <summary>What a <see cref="ClipRecorder"/> records.</summary>
+    /// <summary>Specifies what a <see cref="ClipRecorder"/> records.</summary>
     public enum ClipKind
     {
-        /// <summary>Body position and muscles: plays on every humanoid. Muscles have limits and no roll of the fingers, so that poses may differ a little.</summary>
+        /// <summary>
+        /// Body position and muscles, which play on every humanoid. Muscles have limits and cannot roll fingers, so poses may differ a little.
+        /// </summary>
         Humanoid,
 
-        /// <summary>The transforms' own rotations: exact, for characters with the same transforms.</summary>
+        /// <summary>The rotations of the transforms. They are exact, but need a character with the same transforms.</summary>
         Generic,
     }
 }

@@ -3,7 +3,7 @@ using System.Collections.Generic;
 
 namespace NeuronMocap.Unity
 {
-    // What a clip animates with numbers that belong together: a muscle, or the components of a position or rotation.
+    // A group of values that a clip animates together: a muscle, or the components of a position or rotation.
     internal sealed class ClipProperty
     {
         private static readonly string[] Single = { "" };
@@ -18,15 +18,15 @@ namespace NeuronMocap.Unity
             IsTransform = isTransform;
         }
 
-        // From the animated object down to the transform; empty for itself.
+        // The path from the animated object to the transform. Empty for the object itself.
         public string Path { get; }
 
         public string Name { get; }
 
-        // What follows the name, in the order of the values.
+        // The suffixes of the name, in the order of the values.
         public IReadOnlyList<string> Components { get; }
 
-        // Of a Transform; otherwise of the Animator.
+        // Whether it is a property of a Transform. Otherwise it belongs to the Animator.
         public bool IsTransform { get; }
 
         public bool IsRotation => Components.Count == 4;

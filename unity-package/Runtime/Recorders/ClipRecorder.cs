@@ -7,14 +7,14 @@ using UnityEngine;
 namespace NeuronMocap.Unity
 {
     /// <summary>
-    /// Records a character, as it is after everything moved it, into an animation clip. Only the editor can save one: in a player
-    /// <see cref="MotionRecorder"/> writes BVH. Main thread.
+    /// Records a character into an animation clip, after all components have moved it. Only the editor can save clips. In a player,
+    /// <see cref="MotionRecorder"/> writes BVH. Use it on the main thread.
     /// </summary>
     [AddComponentMenu("NeuronMocap/Clip Recorder")]
     [DefaultExecutionOrder(1000)]
     public sealed class ClipRecorder : MonoBehaviour
     {
-        // A frame that comes a little early is not left for the next one.
+        // A frame that comes slightly early is taken anyway.
         private const float EarlyPart = 0.25f;
 
         [SerializeField]
@@ -22,7 +22,7 @@ namespace NeuronMocap.Unity
         private Animator? _animator;
 
         [SerializeField]
-        [Tooltip("Humanoid clips play on every humanoid; generic ones are exact and play on the same transforms only.")]
+        [Tooltip("Humanoid clips play on every humanoid. Generic clips are exact and play on the same transforms only.")]
         private ClipKind _kind = ClipKind.Humanoid;
 
         [SerializeField]
@@ -48,94 +48,97 @@ namespace NeuronMocap.Unity
         private string _fileName = TakeFileName.DefaultPattern;
 
         [SerializeField]
-        [Tooltip("Begin a take when play mode begins.")]
+        [Tooltip("Start a take when play mode starts.")]
         private bool _recordOnPlay;
 
         private ClipSampler? _sampler;
         private float _time;
         private float _nextTime;
 
-        /// <summary>A take is over. Main thread; before it is saved.</summary>
+        /// <summary>Occurs when a take has ended, before it is saved. Main thread.</summary>
         public event Action<ClipTake>? Finished;
 
-        // Set by the editor's half: saves a take and returns the asset's path.
+        // Set by the editor part of the package: saves a take and returns the asset's path.
         internal static Func<ClipRecorder, ClipTake, string>? Saver { get; set; }
 
-        /// <summary>The character. Null: the one on this object, or below it.</summary>
+        /// <summary>Gets or sets the character. Null: the one on this object, or below it.</summary>
         public Animator? Animator
         {
             get => _animator;
             set => _animator = value;
         }
 
-        /// <summary>What the next take is.</summary>
+        /// <summary>Gets or sets the kind of the next take.</summary>
         public ClipKind Kind
         {
             get => _kind;
             set => _kind = value;
         }
 
-        /// <summary>Generic clips: the bone that moves the character. Null: the hips, or else the first child.</summary>
+        /// <summary>Gets or sets the bone that moves the character in generic clips. Null: the hips, or else the first child.</summary>
         public Transform? Hips
         {
             get => _hips;
             set => _hips = value;
         }
 
-        /// <summary>Most frames per second in the clip, 1 to 240.</summary>
+        /// <summary>Gets or sets the maximum frame rate of the clip, 1 to 240.</summary>
         public float FrameRate
         {
             get => _frameRate;
             set => _frameRate = Mathf.Clamp(value, 1, 240);
         }
 
-        /// <summary>How far a clip may be from what was recorded, so that it needs fewer keys: percent of a muscle's range, degrees or centimetres, 0 to 1.</summary>
+        /// <summary>
+        /// Gets or sets the error allowed when keys are removed: percent of a muscle's range, degrees or centimetres, 0 to 1. A larger error needs
+        /// fewer keys.
+        /// </summary>
         public float KeyTolerance
         {
             get => _keyTolerance;
             set => _keyTolerance = Mathf.Clamp01(value);
         }
 
-        /// <summary>Folder below Assets.</summary>
+        /// <summary>Gets or sets the folder below Assets.</summary>
         public string Folder
         {
             get => _folder;
             set => _folder = value ?? "";
         }
 
-        /// <summary>Name of the clip: a pattern for <see cref="TakeFileName"/>.</summary>
+        /// <summary>Gets or sets the name of the clip, a pattern for <see cref="TakeFileName"/>.</summary>
         public string FileName
         {
             get => _fileName;
             set => _fileName = value ?? "";
         }
 
-        /// <summary>Whether a take begins with play mode.</summary>
+        /// <summary>Gets or sets whether a take starts with play mode.</summary>
         public bool RecordOnPlay
         {
             get => _recordOnPlay;
             set => _recordOnPlay = value;
         }
 
-        /// <summary>Whether a take is being recorded.</summary>
+        /// <summary>Gets whether a take is being recorded.</summary>
         public bool IsRecording => _sampler is { };
 
-        /// <summary>This take or the last one; null before the first.</summary>
+        /// <summary>Gets the current or last take. Null before the first take.</summary>
         public ClipTake? Take { get; private set; }
 
-        /// <summary>The last take's asset, such as "Assets/Recordings/Ann.anim"; empty before there is one.</summary>
+        /// <summary>Gets the path of the last take's asset, such as "Assets/Recordings/Ann.anim". Empty before the first asset.</summary>
         public string SavedPath { get; private set; } = "";
 
-        /// <summary>Why nothing is recorded or saved; empty while all is well.</summary>
+        /// <summary>Gets the reason why nothing is recorded or saved. Empty if there is no problem.</summary>
         public string Problem { get; private set; } = "";
 
-        /// <summary>Begins a take.</summary>
-        /// <returns>False when it cannot begin; <see cref="Problem"/> says why.</returns>
+        /// <summary>Starts a take.</summary>
+        /// <returns>False if it cannot start; <see cref="Problem"/> then says why.</returns>
         [ContextMenu("Start recording")]
         public bool StartRecording()
         {
             if (IsRecording)
-                return Refuse("A take is being recorded already.");
+                return Refuse("A take is already being recorded.");
             if (!isActiveAndEnabled)
                 return Refuse("The recorder is disabled.");
 
@@ -210,7 +213,7 @@ namespace NeuronMocap.Unity
             }
             catch (Exception exception) when (exception is IOException || exception is UnauthorizedAccessException || exception is ArgumentException)
             {
-                Problem = "The clip is not saved: " + exception.Message;
+                Problem = "The clip was not saved: " + exception.Message;
             }
         }
 

@@ -6,7 +6,7 @@ using Vector3 = UnityEngine.Vector3;
 
 namespace NeuronMocap.Unity
 {
-    // Reads a character's pose as the numbers of a clip.
+    // Reads a character's pose as the values of a clip.
     internal abstract class ClipSampler : IDisposable
     {
         private readonly List<Quaternion> _last = new List<Quaternion>();
@@ -29,7 +29,7 @@ namespace NeuronMocap.Unity
 
         public IReadOnlyList<ClipProperty> Properties { get; }
 
-        // Of the newest sample; the same memory each time.
+        // The values of the newest sample. The array is reused.
         public float[] Values { get; }
 
         public void Sample()
@@ -54,7 +54,7 @@ namespace NeuronMocap.Unity
             Put(value.z);
         }
 
-        // A rotation is two quaternions; the one next to the last is written, because curves run from number to number.
+        // Two quaternions describe each rotation. This writes the one closer to the last, because curves interpolate between values.
         protected void Put(Quaternion value)
         {
             if (Quaternion.Dot(value, _last[_rotation]) < 0)

@@ -3,7 +3,7 @@ using System.Collections.Generic;
 
 namespace NeuronMocap.Unity
 {
-    /// <summary>What a <see cref="ClipRecorder"/> has recorded: rows of values, one row for each frame.</summary>
+    /// <summary>A take of a <see cref="ClipRecorder"/>: rows of values, one row for each frame.</summary>
     public sealed class ClipTake
     {
         private const int RowsPerBlock = 256;
@@ -22,16 +22,16 @@ namespace NeuronMocap.Unity
             _width = ValueCount + 1;
         }
 
-        /// <summary>Whether it moves any humanoid; otherwise only a character with the same transforms.</summary>
+        /// <summary>Gets whether the take plays on any humanoid. Otherwise it plays only on a character with the same transforms.</summary>
         public bool IsHumanoid { get; }
 
-        /// <summary>Frames per second that were asked for.</summary>
+        /// <summary>Gets the requested frame rate.</summary>
         public float FrameRate { get; }
 
-        /// <summary>Number of frames.</summary>
+        /// <summary>Gets the number of frames.</summary>
         public int FrameCount { get; private set; }
 
-        /// <summary>Seconds from the first frame to the last.</summary>
+        /// <summary>Gets the time from the first frame to the last, in seconds.</summary>
         public float Length => FrameCount == 0 ? 0 : GetTime(FrameCount - 1);
 
         internal IReadOnlyList<ClipProperty> Properties { get; }
@@ -40,10 +40,10 @@ namespace NeuronMocap.Unity
 
         internal float GetTime(int frame) => Block(frame)[Start(frame)];
 
-        // Values are numbered through all properties.
+        // The values of all properties are numbered consecutively.
         internal float GetValue(int frame, int value) => Block(frame)[Start(frame) + 1 + value];
 
-        // Memory grows by blocks of some seconds, so that most frames allocate nothing.
+        // Memory grows by blocks of several seconds, so most frames allocate nothing.
         internal void Add(float time, float[] values)
         {
             if (FrameCount % RowsPerBlock == 0)

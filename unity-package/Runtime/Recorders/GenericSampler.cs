@@ -4,13 +4,13 @@ using UnityEngine;
 
 namespace NeuronMocap.Unity
 {
-    // The local rotations of a character's transforms, and the place of the one that moves it.
+    // Samples the local rotations of a character's transforms, and the position of the transform that moves it.
     internal sealed class GenericSampler : ClipSampler
     {
         private readonly Transform _mover;
         private readonly IReadOnlyList<Transform> _bones;
 
-        // The paths begin below the root, which the clip will be played on. The mover is the hips; bones are all that turn, the hips among them.
+        // Paths start below the root, on which the clip will be played. mover: the hips. bones: all transforms that turn, including the hips.
         public GenericSampler(Transform root, Transform mover, IReadOnlyList<Transform> bones)
             : base(CreateProperties(root, mover, bones))
         {

@@ -7,7 +7,7 @@ using Vector3 = UnityEngine.Vector3;
 
 namespace NeuronMocap.Unity
 {
-    // A humanoid's pose as body position and rotation, and 95 muscles: what moves every other humanoid, too.
+    // Samples a humanoid's pose as body position and rotation and 95 muscles, which every other humanoid can play.
     internal sealed class HumanoidSampler : ClipSampler
     {
         private static readonly string[] Fingers = { "Thumb", "Index", "Middle", "Ring", "Little" };
@@ -27,7 +27,7 @@ namespace NeuronMocap.Unity
             _isInWorld = IsBodyInWorld();
         }
 
-        // The names of muscles in clips: as HumanTrait has them, but for the fingers'.
+        // The names of muscles in clips. They are those of HumanTrait, except for the fingers.
         public static string GetPropertyName(string muscle)
         {
             foreach (string finger in Fingers)
@@ -73,7 +73,7 @@ namespace NeuronMocap.Unity
             return properties;
         }
 
-        // Unity's reference does not say whether the body is relative to the root or to the world. Moving the root for a moment tells.
+        // Unity's reference does not say whether the body is relative to the root or to the world. Moving the root for a moment shows it.
         private bool IsBodyInWorld()
         {
             _handler.GetHumanPose(ref _pose);

@@ -8,14 +8,14 @@ using UnityEngine;
 namespace NeuronMocap.Unity
 {
     /// <summary>
-    /// Records what a <see cref="MocapSource"/> receives, at run time, in the editor and in players: BVH files, or recordings that play again as the live stream
-    /// did. Other threads write; the main thread never waits for the disk. A take ends with <see cref="StopRecording"/>, with the component or the source, and when the
-    /// application quits; a process that is killed leaves files that open.
+    /// Records what a <see cref="MocapSource"/> receives at run time, in the editor and in players. It writes BVH files, or recordings that play
+    /// again like the live stream. Other threads write, and the main thread never waits for the disk. A take ends with <see cref="StopRecording"/>,
+    /// with the component or the source, and when the application quits. If the process is killed, the files can still be opened.
     /// </summary>
     [AddComponentMenu("NeuronMocap/Motion Recorder")]
     public sealed class MotionRecorder : MonoBehaviour
     {
-        // A file is complete long before, unless the disk is very slow; and one that is not still opens.
+        // Files are usually complete much earlier, unless the disk is very slow. An incomplete file can still be opened.
         private static readonly TimeSpan LongestWaitAtQuit = TimeSpan.FromMilliseconds(100);
 
         [SerializeField]
@@ -23,11 +23,11 @@ namespace NeuronMocap.Unity
         private MocapSource? _source;
 
         [SerializeField]
-        [Tooltip("BVH opens in animation programs. A recording keeps every byte with its time and plays again as the live stream did.")]
+        [Tooltip("BVH opens in animation programs. A recording keeps every byte with its time and plays again like the live stream.")]
         private TakeFormats _formats = TakeFormats.Bvh;
 
         [SerializeField]
-        [Tooltip("Folder of the files. Empty: the application's data folder. A relative path begins there.")]
+        [Tooltip("Folder of the files. Empty: the application's data folder. A relative path starts there.")]
         private string _folder = "";
 
         [SerializeField]
@@ -35,7 +35,7 @@ namespace NeuronMocap.Unity
         private string _fileName = TakeFileName.DefaultPattern;
 
         [SerializeField]
-        [Tooltip("A BVH file for each performer; otherwise for one only.")]
+        [Tooltip("Write a BVH file for each performer. Off: for one performer only.")]
         private bool _allPerformers = true;
 
         [SerializeField]
@@ -44,7 +44,7 @@ namespace NeuronMocap.Unity
         private int _avatarIndex;
 
         [SerializeField]
-        [Tooltip("Begin a take when play mode, or the scene, begins.")]
+        [Tooltip("Start a take when play mode, or the scene, starts.")]
         private bool _recordOnPlay;
 
         private readonly Stopwatch _elapsed = new Stopwatch();
@@ -52,19 +52,22 @@ namespace NeuronMocap.Unity
         private bool _isWaiting;
 
         /// <summary>
-        /// A take's files are complete. Main thread; the files' full paths. Raised in Update: of a take that ended because the component was disabled, once it is
-        /// enabled again; of one that ended with its object or the application, never, though its files are completed all the same.
+        /// Occurs when a take's files are complete. The argument holds their full paths. Raised in Update, on the main thread.
         /// </summary>
+        /// <remarks>
+        /// If a take ends because the component is disabled, the event occurs when the component is enabled again. If a take ends with its object or
+        /// the application, the event does not occur. The files are completed in each case.
+        /// </remarks>
         public event Action<IReadOnlyList<string>>? Finished;
 
-        /// <summary>The source whose motion is recorded.</summary>
+        /// <summary>Gets or sets the source whose motion is recorded.</summary>
         public MocapSource? Source
         {
             get => _source;
             set => _source = value;
         }
 
-        /// <summary>What is written. Of the next take.</summary>
+        /// <summary>Gets or sets what the next take writes.</summary>
         public TakeFormats Formats
         {
             get => _formats;
@@ -72,7 +75,8 @@ namespace NeuronMocap.Unity
         }
 
         /// <summary>
-        /// Where the files of the next take go. Empty: <see cref="Application.persistentDataPath"/>, where a relative path begins, too. The folder is made.
+        /// Gets or sets the folder of the next take's files. Empty: <see cref="Application.persistentDataPath"/>, where relative paths also start.
+        /// The folder is created.
         /// </summary>
         public string Folder
         {
@@ -80,69 +84,72 @@ namespace NeuronMocap.Unity
             set => _folder = value ?? "";
         }
 
-        /// <summary>Name of the next take's files: a pattern for <see cref="TakeFileName"/>.</summary>
+        /// <summary>Gets or sets the name of the next take's files, a pattern for <see cref="TakeFileName"/>.</summary>
         public string FileName
         {
             get => _fileName;
             set => _fileName = value ?? "";
         }
 
-        /// <summary>Whether every performer gets a BVH file.</summary>
+        /// <summary>Gets or sets whether every performer gets a BVH file.</summary>
         public bool AllPerformers
         {
             get => _allPerformers;
             set => _allPerformers = value;
         }
 
-        /// <summary>The performer to export when not <see cref="AllPerformers"/> is.</summary>
+        /// <summary>Gets or sets the performer to export if <see cref="AllPerformers"/> is off.</summary>
         public int AvatarIndex
         {
             get => _avatarIndex;
             set => _avatarIndex = Mathf.Max(0, value);
         }
 
-        /// <summary>Whether a take begins with play mode, or with the scene.</summary>
+        /// <summary>Gets or sets whether a take starts with play mode, or with the scene.</summary>
         public bool RecordOnPlay
         {
             get => _recordOnPlay;
             set => _recordOnPlay = value;
         }
 
-        /// <summary>What the recorder does.</summary>
+        /// <summary>Gets what the recorder does.</summary>
         public RecorderState State => _take is null
             ? _isWaiting ? RecorderState.Waiting : RecorderState.Idle
             : _elapsed.IsRunning ? RecorderState.Recording : RecorderState.Finishing;
 
-        /// <summary>How long this take has run, or the last one ran; seconds.</summary>
+        /// <summary>Gets the duration of the current or last take, in seconds.</summary>
         public double Elapsed => _elapsed.Elapsed.TotalSeconds;
 
-        /// <summary>Frames in this take or the last one: rows of its BVH files, or received while it was recorded. At most a quarter of a second old.</summary>
+        /// <summary>
+        /// Gets the number of frames in the current or last take: rows of its BVH files, or frames received while it was recorded. At most a quarter
+        /// of a second old.
+        /// </summary>
         public long Frames { get; private set; }
 
-        /// <summary>Size of this take's files, or of the last one's; bytes. At most a quarter of a second old.</summary>
+        /// <summary>Gets the size of the current or last take's files, in bytes. At most a quarter of a second old.</summary>
         public long Bytes { get; private set; }
 
-        /// <summary>Full paths of this take's files, or of the last one's.</summary>
+        /// <summary>Gets the full paths of the current or last take's files.</summary>
         public IReadOnlyList<string> Files { get; private set; } = Array.Empty<string>();
 
-        /// <summary>Why nothing is recorded, or not all of it; empty while all is well.</summary>
+        /// <summary>Gets the reason why nothing, or not everything, is recorded. Empty if there is no problem.</summary>
         public string Problem { get; private set; } = "";
 
         /// <summary>
-        /// Begins a take. Where the source is not open yet, the take waits for it.
+        /// Starts a take. If the source is not open yet, the take waits for it.
         /// </summary>
-        /// <returns>False when it cannot begin; <see cref="Problem"/> says why.</returns>
+        /// <returns>False if it cannot start; <see cref="Problem"/> then says why.</returns>
         [ContextMenu("Start recording")]
         public bool StartRecording()
         {
             if (State != RecorderState.Idle)
-                return Refuse(State == RecorderState.Finishing ? "The last take is still being completed." : "A take is being recorded already.");
+                return Refuse(State == RecorderState.Finishing ? "The last take is still being completed." : "A take is already being recorded.");
             if (!isActiveAndEnabled)
                 return Refuse("The recorder is disabled.");
             if (_source == null)
                 return Refuse("The recorder has no source: set Source.");
             if ((_formats & (TakeFormats.Bvh | TakeFormats.Recording)) == TakeFormats.None)
-                return Refuse("Nothing is to be written: set Formats.");
+                return Refuse("There is nothing to write: set Formats.");
 
             Problem = "";
             _isWaiting = true;
@@ -150,7 +157,7 @@ namespace NeuronMocap.Unity
             return true;
         }
 
-        /// <summary>Ends the take. Its files are complete a moment later: <see cref="Finished"/>.</summary>
+        /// <summary>Ends the take. Its files are complete a moment later; see <see cref="Finished"/>.</summary>
         [ContextMenu("Stop recording")]
         public void StopRecording()
         {
@@ -176,7 +183,7 @@ namespace NeuronMocap.Unity
             if (_elapsed.IsRunning && _take.HasEnded)
                 StopRecording();
 
-            // First: what is complete does not change any more.
+            // Read first: once complete, the other values no longer change.
             bool isComplete = _take.IsComplete;
             Frames = _take.Frames;
             Bytes = _take.Bytes;

@@ -2,19 +2,19 @@
 
 namespace NeuronMocap.Unity
 {
-    /// <summary>What a <see cref="MotionRecorder"/> does.</summary>
+    /// <summary>Specifies what a <see cref="MotionRecorder"/> does.</summary>
     public enum RecorderState
     {
         /// <summary>Nothing.</summary>
         Idle,
 
-        /// <summary>Waits for the source to open.</summary>
+        /// <summary>It waits for the source to open.</summary>
         Waiting,
 
-        /// <summary>Writes what arrives.</summary>
+        /// <summary>It writes what arrives.</summary>
         Recording,
 
-        /// <summary>Completes its files, on another thread.</summary>
+        /// <summary>It completes its files on another thread.</summary>
         Finishing,
     }
 }

@@ -7,28 +7,28 @@ using System.Text;
 namespace NeuronMocap.Unity
 {
     /// <summary>
-    /// Names of files that are recorded, made of a pattern: <c>{source}</c>, <c>{date}</c> (2024-05-31), <c>{time}</c> (14-03-59) and <c>{take}</c> (001, the
-    /// first number that is free). What a file's name cannot contain becomes a hyphen.
+    /// Creates names of recorded files from a pattern. The placeholders are <c>{source}</c>, <c>{date}</c> (2024-05-31), <c>{time}</c> (14-03-59) and
+    /// <c>{take}</c> (001, the first free number). Characters that file names cannot contain become hyphens.
     /// </summary>
     public static class TakeFileName
     {
-        /// <summary>The pattern that a recorder has unless another is set.</summary>
+        /// <summary>The default pattern of a recorder.</summary>
         public const string DefaultPattern = "{source} {date} {time}";
 
         private const string TakeToken = "{take}";
         private const int MaxTakes = 9999;
 
-        // Of every system, not just of this one: takes are copied from one to another.
+        // Forbidden on any system, not only on this one, because takes are copied between systems.
         private const string Forbidden = "<>:\"/\\|?*";
 
-        /// <summary>Makes a name that no file of the folder has, with any of the extensions.</summary>
-        /// <param name="folder">Where the files will be.</param>
+        /// <summary>Creates a name that no file of the folder has, with any of the extensions.</summary>
+        /// <param name="folder">The folder of the files.</param>
         /// <param name="pattern">The pattern, without extension. Empty: <see cref="DefaultPattern"/>.</param>
-        /// <param name="source">What stands for <c>{source}</c>.</param>
-        /// <param name="now">The time, as it is to be written.</param>
+        /// <param name="source">The value of <c>{source}</c>.</param>
+        /// <param name="now">The time to write.</param>
         /// <param name="extensions">Extensions that must be free, with their dots.</param>
         /// <returns>The path without extension.</returns>
-        /// <exception cref="IOException">9999 takes of the name are there already.</exception>
+        /// <exception cref="IOException">The folder already has 9999 takes of that name.</exception>
         public static string Create(string folder, string pattern, string source, DateTime now, params string[] extensions)
         {
             string named = Expand(string.IsNullOrWhiteSpace(pattern) ? DefaultPattern : pattern, source, now);
@@ -42,7 +42,7 @@ namespace NeuronMocap.Unity
                     return path;
             }
 
-            throw new IOException($"The folder \"{folder}\" has {MaxTakes} takes of this name already. Choose another file name.");
+            throw new IOException($"The folder \"{folder}\" already has {MaxTakes} takes of this name. Choose another file name.");
         }
 
         private static string Expand(string pattern, string source, DateTime now) => pattern
@@ -56,12 +56,12 @@ namespace NeuronMocap.Unity
             foreach (char letter in name)
                 clean.Append(letter < ' ' || Forbidden.IndexOf(letter) >= 0 ? '-' : letter);
 
-            // Windows drops dots and blanks at the end, so that two names would be one.
+            // Windows removes dots and blanks at the end, which could make two names equal.
             string trimmed = clean.ToString().Trim().TrimEnd('.', ' ');
             return trimmed.Length == 0 ? "take" : trimmed;
         }
 
-        // The files of several avatars, or parts, of a take have more behind the name.
+        // The files of several avatars, or of parts of a take, have a suffix after the name.
         private static bool IsFree(string path, string[] extensions)
         {
             string folder = Path.GetDirectoryName(path) ?? "";

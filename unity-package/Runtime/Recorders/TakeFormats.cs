@@ -3,17 +3,17 @@ using System;
 
 namespace NeuronMocap.Unity
 {
-    /// <summary>What a <see cref="MotionRecorder"/> writes.</summary>
+    /// <summary>Specifies what a <see cref="MotionRecorder"/> writes.</summary>
     [Flags]
     public enum TakeFormats
     {
         /// <summary>Nothing.</summary>
         None = 0,
 
-        /// <summary>BVH: for animation programs. The values of the stream, bit for bit.</summary>
+        /// <summary>BVH, for animation programs. It holds the values of the stream, bit for bit.</summary>
         Bvh = 1,
 
-        /// <summary>Recording (.nmrec): every byte as it arrived, with its time. Plays again as the live stream did.</summary>
+        /// <summary>A recording (.nmrec) of every byte as it arrived, with its time. It plays again like the live stream.</summary>
         Recording = 2,
     }
 }

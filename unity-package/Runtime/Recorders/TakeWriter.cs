@@ -9,8 +9,8 @@ using NeuronMocap.Recording;
 
 namespace NeuronMocap.Unity
 {
-    // The files of one take. Opening and completing them, and looking at their sizes, may wait for the disk: pool threads do all of that, the main thread
-    // starts it and reads figures.
+    // Writes the files of one take. Opening files, completing them and reading their sizes may wait for the disk, so pool threads do it. The main
+    // thread only starts the work and reads the results.
     internal sealed class TakeWriter
     {
         private const string BvhExtension = ".bvh";
@@ -32,7 +32,7 @@ namespace NeuronMocap.Unity
         private long _frames;
         private long _bytes;
 
-        // makePath gives the path without extension, on a pool thread.
+        // makePath returns the path without extension, on a pool thread.
         public TakeWriter(NeuronReader reader, TakeFormats formats, int? avatarIndex, Func<string> makePath)
         {
             _reader = reader;
@@ -45,18 +45,18 @@ namespace NeuronMocap.Unity
 
         public static string[] Extensions { get; } = { BvhExtension, RecordingExtension };
 
-        // Empty while all is well.
+        // Empty if there is no problem.
         public string Problem => _problem;
 
-        // Those that have something in them, at most a quarter of a second ago.
+        // The files that were not empty at the last check, at most a quarter of a second ago.
         public IReadOnlyList<string> Files => _files;
 
-        // Rows of all BVH files; of a recording alone, the frames that came since.
+        // Rows of all BVH files. With a recording only, the frames received since the start.
         public long Frames => Interlocked.Read(ref _frames);
 
         public long Bytes => Interlocked.Read(ref _bytes);
 
-        // Ended without being asked to: the reader did, or a disk is full.
+        // Ended by itself: the reader closed, or a disk is full.
         public bool HasEnded => _opening.IsCompleted && !IsWriting;
 
         public bool IsComplete => _closing is { IsCompleted: true };
@@ -75,7 +75,7 @@ namespace NeuronMocap.Unity
         private void Open()
         {
             string path = "";
-            Try("The take cannot be begun", () =>
+            Try("The take cannot start", () =>
             {
                 path = _makePath();
                 Directory.CreateDirectory(Path.GetDirectoryName(path)!);
@@ -88,7 +88,7 @@ namespace NeuronMocap.Unity
             if ((_formats & TakeFormats.Recording) != TakeFormats.None)
                 Try("No recording is written", () => _recording = _reader.StartRecording(path + RecordingExtension));
 
-            _looks = new Timer(_ => Try("The files cannot be looked at", Look), null, LookPeriod, LookPeriod);
+            _looks = new Timer(_ => Try("The files cannot be checked", Look), null, LookPeriod, LookPeriod);
         }
 
         private void Complete()
@@ -96,7 +96,7 @@ namespace NeuronMocap.Unity
             _looks?.Dispose();
             Try("The BVH file is not complete", () => _bvh?.Dispose());
             Try("The recording is not complete", () => _recording?.Dispose());
-            Try("The files cannot be looked at", Look);
+            Try("The files cannot be checked", Look);
         }
 
         private void Look()
@@ -139,7 +139,7 @@ namespace NeuronMocap.Unity
             return file.Exists ? file.Length : 0;
         }
 
-        // Whatever the file system throws is for the inspector, not for the pool.
+        // Reports all exceptions of the file system in the inspector instead of throwing them on the pool.
         private void Try(string what, Action action)
         {
             try

@@ -7,10 +7,10 @@ using NeuronMocap.Skeleton;
 
 namespace NeuronMocap.Unity
 {
-    // One avatar of a connection. The receive thread decodes each frame once, and pushes it into the buffers of all sources that share the connection.
+    // An avatar of a connection. The receive thread decodes each frame once, and pushes it into the buffers of all sources that share the connection.
     internal sealed class AvatarStream
     {
-        // Far beyond any stage, and still a number that Unity can work with.
+        // Far beyond any stage, but still a value that Unity can handle.
         private const float FarthestPosition = 1e7f; // cm
 
         private const long NoTimecode = -1;
@@ -43,7 +43,7 @@ namespace NeuronMocap.Unity
 
         public ContactHistory Contacts { get; } = new ContactHistory();
 
-        // Four numbers in one, so that it is read as a whole.
+        // Four numbers packed into one, so that reads are atomic.
         public Timecode? Timecode
         {
             get
@@ -55,12 +55,12 @@ namespace NeuronMocap.Unity
             }
         }
 
-        // Ticks of Stopwatch.
+        // In Stopwatch ticks.
         public long LastArrival => Interlocked.Read(ref _arrival);
 
         public long Frames => Interlocked.Read(ref _frames);
 
-        // Frames with a value that is no number, or out of all reason.
+        // Frames with a value that is not a number, or is far out of range.
         public long Rejected => Interlocked.Read(ref _rejected);
 
         public bool IsWatched => _buffers.Length > 0;
@@ -82,7 +82,7 @@ namespace NeuronMocap.Unity
                 _buffers = Array.FindAll(_buffers, other => other != buffer);
         }
 
-        // Told is the body that the command channel describes, if it does. Receive thread.
+        // told: the body from the command channel, or null. Receive thread.
         public void Take(MotionFrame frame, SkeletonBody? told, Span<BoneTransform> pose)
         {
             SkeletonVariant variant = frame.Format.Variant;
@@ -93,7 +93,7 @@ namespace NeuronMocap.Unity
             if (frame.Layout.HasReference)
                 pose[0] = frame.GetReference().Apply(pose[0]);
 
-            // Its name and its time count all the same: the performer is there.
+            // The name and the time still count, because the performer is present.
             string name = frame.AvatarName;
             if (!string.Equals(_name, name, StringComparison.Ordinal))
                 _name = name;
@@ -125,7 +125,7 @@ namespace NeuronMocap.Unity
             {
                 BoneTransform transform = pose[bone];
 
-                // Comparisons with a value that is not a number are false.
+                // Comparisons with NaN are false.
                 bool isUsable = transform.Position.LengthSquared() < FarthestPosition * FarthestPosition
                     && transform.Rotation.LengthSquared() < 2;
                 if (!isUsable)

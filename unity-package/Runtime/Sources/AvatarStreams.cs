@@ -5,11 +5,11 @@ using NeuronMocap.Skeleton;
 
 namespace NeuronMocap.Unity
 {
-    // The avatars of a connection, in the order in which they appeared. The receive thread adds and feeds them, one frame at a time; any thread reads
-    // the list, which is never changed but replaced.
+    // The avatars of a connection, in the order of their first frame. The receive thread adds and feeds them, one frame at a time. Any thread reads
+    // the list, which is replaced instead of changed.
     internal sealed class AvatarStreams
     {
-        // Indices come from the network: nobody shall fill the memory with avatars that are made up.
+        // Indices come from the network. The limit keeps invalid indices from filling the memory.
         private const int Limit = 256;
 
         private readonly BoneTransform[] _pose = new BoneTransform[BoneHierarchy.BoneCount];
@@ -17,7 +17,7 @@ namespace NeuronMocap.Unity
 
         public AvatarStream[] All => _all;
 
-        // Whom to ask for the sizes of avatars; set before the first frame.
+        // The reader to ask for the sizes of avatars. Set before the first frame.
         public NeuronReader? Reader { get; set; }
 
         // Handler of NeuronReader.MotionReceived.
@@ -31,7 +31,7 @@ namespace NeuronMocap.Unity
             stream.Take(frame, told, _pose);
         }
 
-        // Handler of NeuronReader.CalculationReceived. An avatar that has no motion frames cannot be shown, whatever is known of its feet.
+        // Handler of NeuronReader.CalculationReceived. An avatar without motion frames cannot be shown, even if its contacts are known.
         public void OnCalculation(CalculationFrame frame)
         {
             if (frame.BoneCount > 0)
@@ -67,7 +67,7 @@ namespace NeuronMocap.Unity
             return added;
         }
 
-        // One that all sources have given up, and that has been silent the longest.
+        // The avatar that no source uses and that has been silent the longest.
         private static int FindUnused(AvatarStream[] streams)
         {
             int found = -1;

@@ -6,8 +6,8 @@ using Vector3 = System.Numerics.Vector3;
 
 namespace NeuronMocap.Unity
 {
-    // Finds the sizes of an actor in a stream with displacement. They count as others when all of them have stayed within the tolerance of new ones for
-    // a while: one bad frame, or a spine that is stretched for a moment, does not build figures anew. Receive thread.
+    // Learns the sizes of an actor from a stream with displacement. New sizes must stay within the tolerance for a while before they count. A single
+    // bad frame, or a briefly stretched spine, thus does not rebuild figures. Receive thread.
     internal sealed class BodyLearner
     {
         private const float Tolerance = 0.2f; // cm
@@ -16,7 +16,7 @@ namespace NeuronMocap.Unity
         private readonly Vector3[] _candidate = new Vector3[BoneHierarchy.BoneCount];
         private int _steady;
 
-        // The body of the pose, when it is another than the one that is known.
+        // The body of the pose if it differs from the known one.
         public SkeletonBody? Observe(ReadOnlySpan<BoneTransform> pose, SkeletonVariant variant, SkeletonBody? known, SkeletonBody? told)
         {
             ReadOnlySpan<Vector3> endSites = told != null && told.Variant == variant ? told.EndSites : default;
@@ -44,7 +44,7 @@ namespace NeuronMocap.Unity
             return SkeletonBody.FromPose(pose, variant, endSites);
         }
 
-        // The hips are wherever the actor is.
+        // The position of the hips is that of the actor, so it is ignored.
         private static bool IsNear(ReadOnlySpan<BoneTransform> pose, ReadOnlySpan<Vector3> offsets)
         {
             for (int bone = 1; bone < BoneHierarchy.BoneCount; bone++)

@@ -4,9 +4,9 @@ using System.Threading;
 
 namespace NeuronMocap.Unity
 {
-    // What calculation frames said about the feet in the last while, because poses are shown with a delay. The receive thread writes, the main thread
-    // reads. An entry is one 64-bit number, time and both feet, so that none is ever half of one and half of another; an entry that is overwritten
-    // while others are read is only a newer one.
+    // Recent foot contacts from calculation frames, kept because poses are shown with a delay. The receive thread writes, the main thread reads. An
+    // entry is one 64-bit number with time and both feet, so reads are never torn. If an entry is overwritten during a read, the reader gets a newer
+    // entry.
     internal sealed class ContactHistory
     {
         private const int Left = 1;
@@ -16,7 +16,7 @@ namespace NeuronMocap.Unity
         private readonly long[] _entries = new long[256];
         private int _next;
 
-        // timestamp: ticks of Stopwatch, of which two bits fewer are enough for centuries.
+        // timestamp: Stopwatch ticks. Two bits less are still enough for centuries.
         public void Add(long timestamp, FootContacts contacts)
         {
             long flags = (contacts.Left ? Left : 0) | (contacts.Right ? Right : 0);
@@ -24,7 +24,7 @@ namespace NeuronMocap.Unity
             _next = (_next + 1) % _entries.Length;
         }
 
-        // The newest that is not after a moment and not before another; null when there is none.
+        // The newest entry within the given times, or null.
         public FootContacts? Find(long earliest, long latest)
         {
             long found = 0;

@@ -5,8 +5,8 @@ using UnityEngine;
 
 namespace NeuronMocap.Unity
 {
-    // Calls the handlers of rare events. One that throws is told in the console, as a script's own method that throws is; it holds up neither what
-    // raised the event nor the other handlers.
+    // Calls the handlers of rare events. If a handler throws, the exception goes to the console, like that of a script's own method. The caller and
+    // the other handlers continue.
     internal static class Handlers
     {
         public static void Raise<T>(Action<T>? handlers, T value, UnityEngine.Object context)

@@ -6,21 +6,21 @@ using System.Diagnostics.CodeAnalysis;
 
 namespace NeuronMocap.Unity
 {
-    // Who is in the stream. Handlers may close the source, or open it anew: each loop ends with the connection that it began with.
+    // The performers in the stream. Handlers may close or reopen the source, so each loop stops when its connection is no longer current.
     public sealed partial class MocapSource
     {
         private readonly List<Performer> _performers = new List<Performer>();
 
-        /// <summary>Raised in Update when a performer's first frame has come.</summary>
+        /// <summary>Occurs in Update when a performer's first frame has arrived.</summary>
         public event Action<Performer>? PerformerJoined;
 
-        /// <summary>Raised when a performer has had no frame for <see cref="LeaveTimeout"/>, and when the source closes.</summary>
+        /// <summary>Occurs when a performer has had no frame for <see cref="LeaveTimeout"/>, and when the source closes.</summary>
         public event Action<Performer>? PerformerLeft;
 
-        /// <summary>The performers, in the order in which they joined.</summary>
+        /// <summary>Gets the performers, in the order in which they joined.</summary>
         public IReadOnlyList<Performer> Performers => _performers;
 
-        /// <summary>Frames per second of a performer, the highest of all; 0 while none arrive.</summary>
+        /// <summary>Gets the highest frame rate of all performers, or 0 while no frames arrive.</summary>
         public double FrameRate
         {
             get
@@ -34,12 +34,12 @@ namespace NeuronMocap.Unity
         }
 
         /// <summary>Finds a performer by its number on the server.</summary>
-        /// <param name="avatarIndex">From 0.</param>
+        /// <param name="avatarIndex">The number, from 0.</param>
         /// <param name="performer">
-        /// Where two servers send the same number: the one whose frames arrive; of two that are live, the one that joined first; of two that are not, the
-        /// one that was heard last.
+        /// Receives the performer. If two servers send the same number, a live performer comes first. Of two live performers, it is the one that
+        /// joined first. Of two silent performers, it is the one with the latest frame.
         /// </param>
-        /// <returns>Whether there is one.</returns>
+        /// <returns>True if the performer was found.</returns>
         public bool TryGetPerformer(int avatarIndex, [NotNullWhen(true)] out Performer? performer)
         {
             performer = null;
@@ -53,9 +53,9 @@ namespace NeuronMocap.Unity
         }
 
         /// <summary>Finds a performer by its name on the server.</summary>
-        /// <param name="name">In any case.</param>
-        /// <param name="performer">Where two have the name, as for <see cref="TryGetPerformer(int, out Performer?)"/>.</param>
-        /// <returns>Whether there is one.</returns>
+        /// <param name="name">The name. Case is ignored.</param>
+        /// <param name="performer">Receives the performer. For equal names, see <see cref="TryGetPerformer(int, out Performer?)"/>.</param>
+        /// <returns>True if the performer was found.</returns>
         public bool TryGetPerformer(string name, [NotNullWhen(true)] out Performer? performer)
         {
             performer = null;
@@ -68,7 +68,7 @@ namespace NeuronMocap.Unity
             return performer != null;
         }
 
-        // Live ones before others: a server that restarted elsewhere takes the place of the one that is silent, however long that stays.
+        // Live performers come first: a server that restarted elsewhere replaces its silent predecessor, however long that one stays.
         private static Performer Better(Performer? first, Performer second)
         {
             if (first == null || (!first.IsLive && (second.IsLive || second.SecondsSinceFrame < first.SecondsSinceFrame)))

@@ -7,8 +7,8 @@ using UnityEngine;
 
 namespace NeuronMocap.Unity
 {
-    // Opening, closing and the work of each rendered frame. [NonSerialized]: when the editor compiles scripts in play mode it carries private fields over,
-    // and what they refer to is gone.
+    // Opening, closing and the work of each rendered frame. Fields are [NonSerialized] because the editor keeps private fields when it compiles
+    // scripts in play mode, but the objects that they refer to are gone.
     public sealed partial class MocapSource
     {
         private static readonly List<MocapSource> Enabled = new List<MocapSource>();
@@ -28,41 +28,41 @@ namespace NeuronMocap.Unity
         [NonSerialized]
         private SourceState _reported;
 
-        /// <summary>The sources that are enabled now, in the order in which they were; a figure without a source of its own takes the first.</summary>
+        /// <summary>Gets the enabled sources, in the order in which they were enabled. A figure without its own source takes the first.</summary>
         public static IReadOnlyList<MocapSource> All => Enabled;
 
-        /// <summary>Raised in Update when <see cref="State"/> has become another, and when the source closes.</summary>
+        /// <summary>Occurs in Update when <see cref="State"/> has changed, and when the source closes.</summary>
         public event Action<SourceState>? StateChanged;
 
-        /// <summary>What the source is doing.</summary>
+        /// <summary>Gets what the source is doing.</summary>
         public SourceState State { get; private set; }
 
-        /// <summary>What the source is doing, in one or two sentences; where a setting can help, they name it as the inspector does.</summary>
+        /// <summary>Gets what the source is doing, in one or two sentences. If a setting can help, they name it as the inspector does.</summary>
         public string StatusMessage { get; private set; } = StatusText.Closed;
 
-        /// <summary>Why the connection is in its state, as the library has it.</summary>
+        /// <summary>Gets the library's reason for the state of the connection.</summary>
         public ConnectionReason Reason => _status.Reason;
 
-        /// <summary>Whether the source is open, whatever arrives.</summary>
+        /// <summary>Gets whether the source is open, even if nothing arrives.</summary>
         public bool IsOpen => _connection != null;
 
         /// <summary>
-        /// The reader behind the source, for what the component does not offer: statistics, recording, commands. Shared with other sources of equal settings:
-        /// do not dispose of it. Null while the source is closed, and while a file is read.
+        /// Gets the reader behind the source, for features that the component does not offer: statistics, recording, commands. Other sources with
+        /// equal settings share it, so do not dispose it. Null while the source is closed, and while a file is read.
         /// </summary>
         public NeuronReader? Reader => _connection?.Reader;
 
-        /// <summary>What plays the recording, to pause, step or seek; null for other kinds, and while the file is opened.</summary>
+        /// <summary>Gets the player of the recording, to pause, step or seek. Null for other kinds, and while the file is being opened.</summary>
         public RecordingPlayer? Player => _connection?.Player;
 
-        /// <summary>Frames that the server sent and that did not arrive, since the source was opened.</summary>
+        /// <summary>Gets the number of lost frames since the source was opened: frames that the server sent but that did not arrive.</summary>
         public long LostFrames => Reader?.GetStatistics().Lost ?? 0;
 
         internal static void ForgetAll() => Enabled.Clear();
 
         /// <summary>
-        /// Opens the source; returns at once. Done in the first frame after the component was enabled, before the Start of other scripts, so that a script that
-        /// adds the component can set it first. Opening again does nothing.
+        /// Opens the source and returns at once. If the source is already open, this does nothing. The source opens automatically in the first frame
+        /// after the component is enabled, before the Start of other scripts. A script that adds the component can thus configure it first.
         /// </summary>
         public void Open()
         {
@@ -82,7 +82,9 @@ namespace NeuronMocap.Unity
             TakeStatus(_connection);
         }
 
-        /// <summary>Closes the source; returns at once. Done when the component is disabled. Closing again does nothing.</summary>
+        /// <summary>
+        /// Closes the source and returns at once. The source closes automatically when the component is disabled. Further calls do nothing.
+        /// </summary>
         public void Close()
         {
             _isDue = false;
@@ -96,7 +98,7 @@ namespace NeuronMocap.Unity
             while (_performers.Count > 0)
                 Remove(_performers.Count - 1);
 
-            // Unless a handler has opened it again.
+            // Unless a handler reopened it.
             if (_connection is null)
                 Report(SourceState.Closed, StatusText.Closed);
         }
@@ -125,7 +127,7 @@ namespace NeuronMocap.Unity
             Close();
         }
 
-        // A field was changed in the inspector. Ports have no slider: they are typed, and count when they are entered.
+        // A field was changed in the inspector. Ports have no slider: a typed value applies when it is entered.
         private void OnValidate()
         {
             _port = Mathf.Clamp(_port, 1, 65535);
@@ -136,7 +138,7 @@ namespace NeuronMocap.Unity
 
         private void Update()
         {
-            // Enabled again, or carried over by the editor into new scripts.
+            // Enabled again, or kept by the editor across a script compilation.
             if (_isDue)
                 Open();
             if (_isChanged && _connection != null)
@@ -144,13 +146,13 @@ namespace NeuronMocap.Unity
             if (!(_connection is { } connection))
                 return;
 
-            // A handler may close the source at any of these points, and open it again.
+            // A handler may close and reopen the source at any of these points.
             TakeStatus(connection);
             if (_connection == connection)
                 TakePerformers(connection);
         }
 
-        // A scene that is loaded again brings the source again: one of the two is enough.
+        // A scene that is loaded again creates the source again. Only one of the two stays.
         private bool IsKeptAlready()
         {
             SourceSettings settings = CreateSettings();
@@ -253,7 +255,7 @@ namespace NeuronMocap.Unity
                 Loop = _loop,
                 Speed = _speed,
 
-                // A file says itself what is in it; raw bytes do not.
+                // A BVH file defines its own order; raw bytes do not.
                 RotationOrder = isBvh ? null : _rotationOrder.ToOrder(),
                 Variant = isBvh ? null : _skeletonVariant.ToVariant(),
                 Reconnect = isBvh && _loop,

@@ -7,11 +7,11 @@ using UnityEngine;
 namespace NeuronMocap.Unity
 {
     /// <summary>
-    /// Brings motion into the scene: from Axis Neuron or Axis Studio on the network, from the built-in simulator, a BVH file or a recording. One is enough for
-    /// any number of figures; sources with equal settings share one connection. It opens when it is enabled, closes when it is disabled, and opens
-    /// anew by itself when a setting is changed while it runs.
+    /// Brings motion into the scene: from Axis Neuron or Axis Studio on the network, from the built-in simulator, from a BVH file or from a
+    /// recording. One source is enough for any number of figures. Sources with equal settings share one connection. The source is open while it is
+    /// enabled, and reopens automatically when a setting changes at run time.
     /// <para>
-    /// All members are for the main thread. What arrives is taken over once per rendered frame, in Update, before other scripts run.
+    /// All members are for the main thread. The source takes over received data once per rendered frame, in Update, before other scripts run.
     /// </para>
     /// </summary>
     [AddComponentMenu("NeuronMocap/Mocap Source")]
@@ -34,7 +34,7 @@ namespace NeuronMocap.Unity
         [SerializeField]
         private int _port = 7001;
 
-        [Tooltip("Port of the server's calculation data, which has measured foot contacts; usually 7003. 0: they come over Port, or not at all.")]
+        [Tooltip("Port of the server's calculation data, which has measured foot contacts; usually 7003. 0: on the same port, or not sent.")]
         [Delayed]
         [SerializeField]
         private int _calculationPort;
@@ -43,28 +43,28 @@ namespace NeuronMocap.Unity
         [SerializeField]
         private TransportKind _transport;
 
-        [Tooltip("Address of this computer to connect from, or to receive UDP on; for a computer with several networks. Empty: the system chooses for TCP, and "
+        [Tooltip("Address of this computer to connect from, or to receive UDP on. Set it on a computer with several networks. Empty: the system chooses for TCP, and "
             + "UDP is received on all IPv4 addresses.")]
         [Delayed]
         [SerializeField]
         private string _localAddress = string.Empty;
 
-        [Tooltip("Connect again after a connection failed or ended.")]
+        [Tooltip("Connect again after a connection fails or ends.")]
         [SerializeField]
         private bool _reconnect = true;
 
-        [Tooltip("TCP port of the server's command channel, usually 8013; 0 for none. With one, the rotation order, the skeleton variant and the performers' "
-            + "sizes are asked for.")]
+        [Tooltip("TCP port of the server's command channel, usually 8013; 0 for none. The source asks it for the rotation order, the skeleton variant and the performers' "
+            + "sizes.")]
         [Delayed]
         [SerializeField]
         private int _commandPort;
 
         [Header("Format")]
-        [Tooltip("Order of the rotation values, a setting of the server. Auto: what the stream or the command channel says, else YXZ, Axis Neuron's default.")]
+        [Tooltip("Order of the rotation values, a setting of the server. Auto: from the stream or the command channel, or else YXZ, Axis Neuron's default.")]
         [SerializeField]
         private RotationOrderSetting _rotationOrder;
 
-        [Tooltip("How spine and neck are divided. Auto: what the command channel says, else Neck1, which is right for everything since 2018.")]
+        [Tooltip("Division of spine and neck. Auto: from the command channel, or else Neck1, which all servers use since 2018.")]
         [SerializeField]
         private SkeletonVariantSetting _skeletonVariant;
 
@@ -89,7 +89,7 @@ namespace NeuronMocap.Unity
         [SerializeField]
         private string _file = string.Empty;
 
-        [Tooltip("A BVH file as a text asset (give it the ending .txt or .bytes); takes precedence over File. Use it where StreamingAssets are not files, such as on Android.")]
+        [Tooltip("A BVH file as a text asset, with the extension .txt or .bytes. It takes precedence over File. Use it where StreamingAssets are not files, such as on Android.")]
         [SerializeField]
         private TextAsset? _bvhAsset;
 
@@ -103,7 +103,7 @@ namespace NeuronMocap.Unity
         private float _speed = 1;
 
         [Header("Timing")]
-        [Tooltip("Resample the motion at the time of each rendered frame, with a short delay, so that network jitter does not show. Off: use the newest frame.")]
+        [Tooltip("Resample the motion at the time of each rendered frame, with a short delay, to hide network jitter. Off: use the newest frame.")]
         [SerializeField]
         private bool _resample = true;
 
@@ -131,21 +131,21 @@ namespace NeuronMocap.Unity
         [SerializeField]
         private bool _persistAcrossScenes;
 
-        /// <summary>Where the motion comes from.</summary>
+        /// <summary>Gets or sets where the motion comes from.</summary>
         public SourceKind Kind
         {
             get => _kind;
             set => Set(ref _kind, value);
         }
 
-        /// <summary>Name or address of the server; not used for UDP. 127.0.0.1 unless set.</summary>
+        /// <summary>Gets or sets the name or address of the server. Not used for UDP. The default is 127.0.0.1.</summary>
         public string Address
         {
             get => _address;
             set => Set(ref _address, value ?? string.Empty);
         }
 
-        /// <summary>TCP port of the server, or UDP port to receive on, 1 to 65535. 7001 unless set.</summary>
+        /// <summary>Gets or sets the TCP port of the server, or the UDP port to receive on, 1 to 65535. The default is 7001.</summary>
         public int Port
         {
             get => _port;
@@ -153,8 +153,8 @@ namespace NeuronMocap.Unity
         }
 
         /// <summary>
-        /// Port of the server's calculation data, over the same transport as <see cref="Port"/>, 1 to 65535; 0, the default, for none. Usually 7003. They carry
-        /// the foot contacts that the server measured.
+        /// Gets or sets the port of the server's calculation data, over the same transport as <see cref="Port"/>, 1 to 65535. The default is 0, for
+        /// none. The usual port is 7003. Calculation data carries the foot contacts measured by the server.
         /// </summary>
         public int CalculationPort
         {
@@ -162,133 +162,149 @@ namespace NeuronMocap.Unity
             set => Set(ref _calculationPort, value);
         }
 
-        /// <summary>TCP or UDP. TCP unless set.</summary>
+        /// <summary>Gets or sets the transport. The default is TCP.</summary>
         public TransportKind Transport
         {
             get => _transport;
             set => Set(ref _transport, value);
         }
 
-        /// <summary>Address of this computer to connect from, or to receive UDP on; empty, the default, for the system's choice, and for UDP all IPv4 addresses.</summary>
+        /// <summary>
+        /// Gets or sets the address of this computer to connect from, or to receive UDP on. Empty, the default: the system chooses, and UDP is
+        /// received on all IPv4 addresses.
+        /// </summary>
         public string LocalAddress
         {
             get => _localAddress;
             set => Set(ref _localAddress, value ?? string.Empty);
         }
 
-        /// <summary>Whether a connection that failed or ended is tried again. True unless set.</summary>
+        /// <summary>Gets or sets whether the source reconnects after a connection fails or ends. The default is true.</summary>
         public bool Reconnect
         {
             get => _reconnect;
             set => Set(ref _reconnect, value);
         }
 
-        /// <summary>TCP port of the server's command channel, 1 to 65535; 0, the default, for none.</summary>
+        /// <summary>Gets or sets the TCP port of the server's command channel, 1 to 65535. The default is 0, for none.</summary>
         public int CommandPort
         {
             get => _commandPort;
             set => Set(ref _commandPort, value);
         }
 
-        /// <summary>Order of the rotation values. Auto unless set.</summary>
+        /// <summary>Gets or sets the order of the rotation values. The default is Auto.</summary>
         public RotationOrderSetting RotationOrder
         {
             get => _rotationOrder;
             set => Set(ref _rotationOrder, value);
         }
 
-        /// <summary>How spine and neck are divided. Auto unless set.</summary>
+        /// <summary>Gets or sets the division of spine and neck. The default is Auto.</summary>
         public SkeletonVariantSetting SkeletonVariant
         {
             get => _skeletonVariant;
             set => Set(ref _skeletonVariant, value);
         }
 
-        /// <summary>How many performers the simulator has, 1 to 32. 1 unless set.</summary>
+        /// <summary>Gets or sets the number of performers in the simulator, 1 to 32. The default is 1.</summary>
         public int PerformerCount
         {
             get => _performerCount;
             set => Set(ref _performerCount, value);
         }
 
-        /// <summary>What the performers of the simulator do.</summary>
+        /// <summary>Gets or sets what the performers of the simulator do.</summary>
         public SimulatedMotion Motion
         {
             get => _motion;
             set => Set(ref _motion, value);
         }
 
-        /// <summary>Frames per second that the simulator sends, 10 to 240. 60 unless set.</summary>
+        /// <summary>Gets or sets the frame rate of the simulator, 10 to 240. The default is 60.</summary>
         public float SimulatedFrameRate
         {
             get => _simulatedFrameRate;
             set => Set(ref _simulatedFrameRate, value);
         }
 
-        /// <summary>A BVH file, a recording or a raw dump: an absolute path, or one relative to <c>Application.streamingAssetsPath</c>.</summary>
+        /// <summary>
+        /// Gets or sets the path of a BVH file, a recording or a raw dump. The path is absolute, or relative to
+        /// <c>Application.streamingAssetsPath</c>.
+        /// </summary>
         public string File
         {
             get => _file;
             set => Set(ref _file, value ?? string.Empty);
         }
 
-        /// <summary>A BVH file as a text asset; goes before <see cref="File"/>.</summary>
+        /// <summary>Gets or sets a BVH file as a text asset. It takes precedence over <see cref="File"/>.</summary>
         public TextAsset? BvhAsset
         {
             get => _bvhAsset;
             set => Set(ref _bvhAsset, value);
         }
 
-        /// <summary>Whether a file begins again at its end. True unless set.</summary>
+        /// <summary>Gets or sets whether a file starts again at its end. The default is true.</summary>
         public bool Loop
         {
             get => _loop;
             set => Set(ref _loop, value);
         }
 
-        /// <summary>How many times as fast as it was recorded a file is played, 0.1 to 10. 1 unless set. A change begins the file again; <see cref="Player"/> changes the speed of a recording as it runs.</summary>
+        /// <summary>
+        /// Gets or sets the playback speed of a file, 0.1 to 10. 1, the default, is the recorded speed. A change restarts the file.
+        /// <see cref="Player"/> changes the speed of a recording without a restart.
+        /// </summary>
         public float Speed
         {
             get => _speed;
             set => Set(ref _speed, value);
         }
 
-        /// <summary>Whether the motion is shown at the moments of the rendered frames, <see cref="Delay"/> behind; else the newest frame as it is. True unless set.</summary>
+        /// <summary>
+        /// Gets or sets whether the motion is resampled at the times of the rendered frames, <see cref="Delay"/> behind. If false, the newest frame
+        /// is shown. The default is true.
+        /// </summary>
         public bool Resample
         {
             get => _resample;
             set => _resample = value;
         }
 
-        /// <summary>How far behind the motion is shown, 0 to 500 ms. 30 unless set. Changes without a new connection.</summary>
+        /// <summary>Gets or sets the delay of the motion, 0 to 500 ms. The default is 30. A change needs no new connection.</summary>
         public float Delay
         {
             get => _delay;
             set => _delay = value;
         }
 
-        /// <summary>How poses between two frames are made. Cubic unless set.</summary>
+        /// <summary>Gets or sets the interpolation between two frames. The default is Cubic.</summary>
         public PoseInterpolationMethod Interpolation
         {
             get => _interpolation;
             set => _interpolation = value;
         }
 
-        /// <summary>After how many seconds without a frame a performer is idle (<see cref="Performer.IsLive"/>), 0.1 to 60. 1 unless set.</summary>
+        /// <summary>
+        /// Gets or sets after how many seconds without a frame a performer is idle (<see cref="Performer.IsLive"/>), 0.1 to 60. The default is 1.
+        /// </summary>
         public float IdleTimeout
         {
             get => _idleTimeout;
             set => _idleTimeout = value;
         }
 
-        /// <summary>After how many seconds without a frame a performer is gone (<see cref="PerformerLeft"/>); 0 for never. 10 unless set.</summary>
+        /// <summary>
+        /// Gets or sets after how many seconds without a frame a performer is removed (<see cref="PerformerLeft"/>). 0 for never. The default is 10.
+        /// </summary>
         public float LeaveTimeout
         {
             get => _leaveTimeout;
             set => _leaveTimeout = value;
         }
 
-        /// <summary>Whether the source lives on when another scene is loaded. It counts when the object wakes up.</summary>
+        /// <summary>Gets or sets whether the source stays when another scene is loaded. The value is read when the object wakes up.</summary>
         public bool PersistAcrossScenes
         {
             get => _persistAcrossScenes;

@@ -9,15 +9,15 @@ using Vector3 = UnityEngine.Vector3;
 namespace NeuronMocap.Unity
 {
     /// <summary>
-    /// One performer of a <see cref="MocapSource"/>: the pose of this rendered frame, and who it is. Made by the source and kept up to date by it, once in
-    /// each Update before other scripts run. Main thread only.
+    /// A performer of a <see cref="MocapSource"/>: its identity, and its pose in this rendered frame. The source creates performers and updates them
+    /// once in each Update, before other scripts run. Main thread only.
     /// </summary>
     public sealed class Performer
     {
-        // How old a calculation frame may be and still tell about the feet.
+        // The maximum age of a calculation frame whose contacts are used, in seconds.
         private const double OldestContacts = 0.3;
 
-        // Later than any frame: the buffer then gives the newest one.
+        // Later than any frame, so that the buffer returns the newest one.
         private const double BeyondAll = 3600;
 
         private readonly AvatarStream _stream;
@@ -40,91 +40,95 @@ namespace NeuronMocap.Unity
             _stream.Attach(_buffer);
         }
 
-        /// <summary>Number of the performer on the server, from 0.</summary>
+        /// <summary>Gets the number of the performer on the server, from 0.</summary>
         public int AvatarIndex => _stream.AvatarIndex;
 
-        /// <summary>Name of the performer on the server, as of the newest frame.</summary>
+        /// <summary>Gets the name of the performer on the server, as of the newest frame.</summary>
         public string Name { get; private set; }
 
-        /// <summary>Which sender the frames come from: over UDP, 0 for the first computer that sent; otherwise always 0.</summary>
+        /// <summary>Gets the number of the sender of the frames. Over UDP, 0 is the first computer that sent; otherwise it is always 0.</summary>
         public int Sender => _stream.Sender;
 
         /// <summary>
-        /// The timecode of the newest frame; null where the server sends none. Only Axis Studio does. How the sub-frame relates to a frame rate is not known.
+        /// Gets the timecode of the newest frame, or null if the server sends none. Only Axis Studio sends timecodes. How the sub-frame relates to a
+        /// frame rate is unknown.
         /// </summary>
         public Timecode? Timecode => _stream.Timecode;
 
-        /// <summary>Whether frames arrive: the newest one is younger than the source's idle timeout.</summary>
+        /// <summary>Gets whether frames arrive: the newest frame is younger than the source's idle timeout.</summary>
         public bool IsLive { get; private set; }
 
-        /// <summary>How long ago the newest frame arrived, in seconds.</summary>
+        /// <summary>Gets the time since the newest frame arrived, in seconds.</summary>
         public float SecondsSinceFrame { get; private set; }
 
-        /// <summary>Frames per second, in the mean of the last few; 0 while none arrive.</summary>
+        /// <summary>Gets the frame rate, averaged over the last few frames. 0 while no frames arrive.</summary>
         public double FrameRate => IsLive && _buffer.FrameInterval > 0 ? 1 / _buffer.FrameInterval : 0;
 
-        /// <summary>Frames that were left out because a value was no number, or farther away than 100 km.</summary>
+        /// <summary>Gets the number of rejected frames: a value was not a number, or a position was more than 100 km away.</summary>
         public long RejectedFrames => _stream.Rejected;
 
-        /// <summary>The sizes of the performer: learnt from the stream or the command channel; else the default ones.</summary>
+        /// <summary>Gets the sizes of the performer, from the stream or the command channel, or else the default sizes.</summary>
         public SkeletonBody Body { get; private set; }
 
-        /// <summary>Counts up whenever <see cref="Body"/> becomes another.</summary>
+        /// <summary>Gets a number that increases whenever <see cref="Body"/> changes.</summary>
         public int BodyVersion { get; private set; }
 
-        /// <summary>How spine and neck are divided.</summary>
+        /// <summary>Gets the skeleton variant.</summary>
         public SkeletonVariant Variant => Body.Variant;
 
-        /// <summary>Whether there is a pose: from the first frame on.</summary>
+        /// <summary>Gets whether there is a pose. True from the first frame on.</summary>
         public bool HasPose { get; private set; }
 
         /// <summary>
-        /// The pose of this rendered frame: 59 transforms relative to their parents in <see cref="Bone"/> order, in the stream's axes and centimetres, the
-        /// hips in the world. Valid until the next rendered frame. At rest before <see cref="HasPose"/>.
+        /// Gets the pose of this rendered frame: 59 transforms relative to their parents in <see cref="Bone"/> order, in the stream's axes and
+        /// centimetres. The hips are relative to the world. Valid until the next rendered frame. Before <see cref="HasPose"/> is true, it is the rest
+        /// pose.
         /// </summary>
         public ReadOnlySpan<BoneTransform> LocalPose => _local;
 
-        /// <summary>As <see cref="LocalPose"/>, each bone in the world of the stream.</summary>
+        /// <summary>Gets the pose like <see cref="LocalPose"/>, with each bone relative to the stream's world.</summary>
         public ReadOnlySpan<BoneTransform> WorldPose => _world;
 
-        /// <summary>How the pose was made: between frames, ahead of them, or standing.</summary>
+        /// <summary>Gets how the pose was computed: between frames, ahead of them, or from a single frame.</summary>
         public PoseOrigin PoseOrigin { get; private set; }
 
-        /// <summary>Which feet stand on the ground in this pose: measured where the server sends calculation data, else estimated.</summary>
+        /// <summary>Gets the feet that touch the ground in this pose: measured if the server sends calculation data, otherwise estimated.</summary>
         public FootContacts Contacts { get; private set; }
 
-        /// <summary>Whether <see cref="Contacts"/> is what the server measured.</summary>
+        /// <summary>Gets whether <see cref="Contacts"/> was measured by the server.</summary>
         public bool HasMeasuredContacts { get; private set; }
 
-        /// <summary>Where a joint is, in Unity's axes, relative to the origin of the mocap stage.</summary>
-        /// <param name="bone">A bone.</param>
-        /// <returns>Metres.</returns>
-        /// <exception cref="ArgumentOutOfRangeException">There is no such bone.</exception>
+        /// <summary>Gets the position of a joint, in Unity's axes, relative to the origin of the mocap stage.</summary>
+        /// <param name="bone">The bone.</param>
+        /// <returns>The position in metres.</returns>
+        /// <exception cref="ArgumentOutOfRangeException">The bone is not defined.</exception>
         public Vector3 GetPosition(Bone bone) => _world[CheckedIndex(bone)].Position.ToUnityPosition();
 
-        /// <summary>How a bone is turned, in Unity's axes, relative to the T-pose facing +Z.</summary>
-        /// <param name="bone">A bone.</param>
-        /// <returns>The rotation on the mocap stage; the identity in the T-pose.</returns>
-        /// <exception cref="ArgumentOutOfRangeException">There is no such bone.</exception>
+        /// <summary>Gets the rotation of a bone, in Unity's axes, relative to the T-pose facing +Z.</summary>
+        /// <param name="bone">The bone.</param>
+        /// <returns>The rotation on the mocap stage. It is the identity in the T-pose.</returns>
+        /// <exception cref="ArgumentOutOfRangeException">The bone is not defined.</exception>
         public Quaternion GetRotation(Bone bone) => _world[CheckedIndex(bone)].Rotation.ToUnityRotation();
 
-        /// <summary>Where a bone ends that has no children, such as the top of the head or the tip of a foot; of others, the joint itself.</summary>
-        /// <param name="bone">A bone.</param>
-        /// <returns>Metres, as <see cref="GetPosition"/>.</returns>
-        /// <exception cref="ArgumentOutOfRangeException">There is no such bone.</exception>
+        /// <summary>
+        /// Gets the end of a bone without children, such as the top of the head or the tip of a foot. For other bones, it is the joint itself.
+        /// </summary>
+        /// <param name="bone">The bone.</param>
+        /// <returns>The position in metres, in the same space as <see cref="GetPosition"/>.</returns>
+        /// <exception cref="ArgumentOutOfRangeException">The bone is not defined.</exception>
         public Vector3 GetEndPosition(Bone bone)
         {
             int index = CheckedIndex(bone);
             return _world[index].TransformPoint(Body.EndSites[index]).ToUnityPosition();
         }
 
-        /// <summary>Name and number.</summary>
-        /// <returns>A line for a list.</returns>
+        /// <summary>Returns name and number.</summary>
+        /// <returns>Text for a list.</returns>
         public override string ToString() => $"{Name} ({AvatarIndex})";
 
         internal AvatarStream Stream => _stream;
 
-        // Of this rendered frame, in seconds of SourceClock.
+        // The time of this rendered frame, in seconds of SourceClock.
         internal double Time { get; private set; }
 
         // now: ticks of SourceClock.
@@ -158,7 +162,7 @@ namespace NeuronMocap.Unity
 
         private static int CheckedIndex(Bone bone) => (uint)bone < BoneHierarchy.BoneCount
             ? (int)bone
-            : throw new ArgumentOutOfRangeException(nameof(bone), bone, "The bone does not exist.");
+            : throw new ArgumentOutOfRangeException(nameof(bone), bone, "The bone must be one of the 59 bones, 0 to 58.");
 
         private void Resample(in SamplingSettings sampling)
         {
@@ -174,7 +178,7 @@ namespace NeuronMocap.Unity
             FootContacts? measured = _stream.Contacts.Find(shown - SourceClock.ToTicks(OldestContacts), shown);
             HasMeasuredContacts = measured != null;
 
-            // Of the newest frame, shown again, every foot stands still.
+            // If the newest frame is shown again, every foot seems to stand still.
             long frames = _stream.Frames;
             if (measured == null && !_sampling.Resamples && frames == _framesShown)
                 return;

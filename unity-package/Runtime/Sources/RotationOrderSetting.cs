@@ -2,10 +2,10 @@
 
 namespace NeuronMocap.Unity
 {
-    /// <summary>The rotation order of the inspector: one of the six, or found out.</summary>
+    /// <summary>The rotation order in the inspector: one of the six, or automatic.</summary>
     public enum RotationOrderSetting
     {
-        /// <summary>What the frames or the command channel say; else YXZ, Axis Neuron's default.</summary>
+        /// <summary>The order from the frames or the command channel, or else YXZ, Axis Neuron's default.</summary>
         Auto,
 
         /// <summary>X, then Y, then Z.</summary>

@@ -5,7 +5,7 @@ using NeuronMocap.Motion;
 
 namespace NeuronMocap.Unity
 {
-    // How a source shows what arrives.
+    // How a source shows received motion.
     internal readonly struct SamplingSettings : IEquatable<SamplingSettings>
     {
         private const double MaxFrameRate = 250;
@@ -24,7 +24,7 @@ namespace NeuronMocap.Unity
 
         public PoseInterpolationMethod Interpolation { get; }
 
-        // There is room for the frames of twice the delay.
+        // The buffer has room for the frames of twice the delay.
         public PoseBuffer CreateBuffer() => new PoseBuffer(new PoseBufferOptions
         {
             Delay = TimeSpan.FromSeconds(Delay),

@@ -2,16 +2,16 @@
 
 namespace NeuronMocap.Unity
 {
-    /// <summary>The skeleton variant of the inspector: one of the two, or found out.</summary>
+    /// <summary>The skeleton variant in the inspector: one of the two, or automatic.</summary>
     public enum SkeletonVariantSetting
     {
-        /// <summary>What the command channel says; else the present one, with two neck bones.</summary>
+        /// <summary>The variant from the command channel, or else the current one, with two neck bones.</summary>
         Auto,
 
-        /// <summary>Two spine bones above the first and two neck bones: since 2018.</summary>
+        /// <summary>Two spine bones above the first and two neck bones, since 2018.</summary>
         Neck1,
 
-        /// <summary>Three spine bones above the first and one neck bone: before.</summary>
+        /// <summary>Three spine bones above the first and one neck bone, before 2018.</summary>
         Spine3,
     }
 }

@@ -4,9 +4,9 @@ using System.Diagnostics;
 
 namespace NeuronMocap.Unity
 {
-    // The clock of arrivals and of rendered frames: Stopwatch, which never jumps, and which stamps the frames as they are received. Unity's Time.time is
-    // none for this: it stands still while the game is paused or its time scale is zero, leaves out what is longer than Time.maximumDeltaTime, and is
-    // the main thread's own, so that the difference between it and the arrivals would grow with every hitch.
+    // The clock of arrivals and rendered frames: Stopwatch, which never jumps and which also stamps received frames. Unity's Time.time is not
+    // suitable. It stops while the game is paused or its time scale is zero, and skips times longer than Time.maximumDeltaTime. It also belongs to
+    // the main thread, so its difference from arrival times would grow with every hitch.
     internal static class SourceClock
     {
         public static long Now => Stopwatch.GetTimestamp();

@@ -8,8 +8,8 @@ using NeuronMocap.Server;
 
 namespace NeuronMocap.Unity
 {
-    // What all sources of equal settings share: a reader, and what it receives from where that is not the network. Opening and closing return at once;
-    // files are read, and threads waited for, on threads of the pool.
+    // The state that sources with equal settings share: a reader and, for kinds other than the network, what it receives from. Opening and closing
+    // return at once. Pool threads read files and wait for threads.
     internal sealed class SourceConnection
     {
         private readonly object _gate = new object();
@@ -25,7 +25,7 @@ namespace NeuronMocap.Unity
         {
             Settings = settings;
 
-            // Unity's objects are the main thread's own.
+            // Only the main thread may use Unity's objects.
             byte[]? bytes = settings.Asset != null ? settings.Asset.bytes : null;
             _opening = settings.Kind is SourceKind.Network or SourceKind.Simulator ? OpenAsync(bytes: null) : Task.Run(() => OpenAsync(bytes));
         }
@@ -34,7 +34,7 @@ namespace NeuronMocap.Unity
 
         public AvatarStreams Streams { get; } = new AvatarStreams();
 
-        // Sources that use it. Main thread.
+        // The number of sources that use it. Main thread.
         public int UserCount { get; set; }
 
         public NeuronReader? Reader
@@ -55,7 +55,7 @@ namespace NeuronMocap.Unity
             }
         }
 
-        // Why there is no reader and will be none; null when there is nothing wrong.
+        // Why there is and will be no reader. Null if there is no problem.
         public string? Fault
         {
             get
@@ -65,7 +65,7 @@ namespace NeuronMocap.Unity
             }
         }
 
-        // Loopback port of the broadcaster; 0 without.
+        // Loopback port of the broadcaster, or 0.
         public int LocalPort
         {
             get
@@ -75,7 +75,7 @@ namespace NeuronMocap.Unity
             }
         }
 
-        // Closes sockets and files at once, and ends when all threads have ended. Does not wait for them.
+        // Closes sockets and files at once, without waiting. The task ends when all threads have ended.
         public Task Close()
         {
             lock (_gate)
@@ -84,7 +84,7 @@ namespace NeuronMocap.Unity
             return Task.WhenAll(_opening, StopAsync());
         }
 
-        // Closed: nothing is set any more but by the opening, which stops it itself. Not under the gate: handlers may run meanwhile.
+        // After closing, only the opening thread still sets fields, and it stops what it has set. Runs outside the lock, because handlers may run meanwhile.
         private Task StopAsync()
         {
             _player?.Dispose();
@@ -103,7 +103,7 @@ namespace NeuronMocap.Unity
             }
             catch (Exception exception)
             {
-                // Whatever it is: nobody awaits this, and a source that says Loading for ever helps nobody.
+                // Catches everything: no caller awaits this task, and the source would show Loading forever.
                 lock (_gate)
                     _fault = StatusText.OfFault(Settings, exception);
             }
@@ -117,7 +117,7 @@ namespace NeuronMocap.Unity
             _ => (null, null),
         };
 
-        // False: closed while a file was read, and nobody is going to stop what would start now.
+        // False if the source closed while a file was read. Nothing would stop what starts now.
         private bool TryReceive(Broadcaster? broadcaster, RecordingPlayer? player)
         {
             lock (_gate)
@@ -144,7 +144,7 @@ namespace NeuronMocap.Unity
 
             return IPAddress.TryParse(text, out IPAddress? address)
                 ? address
-                : throw new ArgumentException($"LocalAddress is '{text}'; it must be an IP address of this computer, or empty.", nameof(text));
+                : throw new ArgumentException($"LocalAddress is '{text}'. It must be an IP address of this computer, or empty.", nameof(text));
         }
 
         private NeuronReaderOptions CreateOptions(Broadcaster? broadcaster)

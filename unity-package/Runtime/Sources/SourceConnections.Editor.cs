@@ -5,7 +5,7 @@ using UnityEditor;
 
 namespace NeuronMocap.Unity
 {
-    // In the editor the process lives on when play mode ends or scripts are compiled, and with it every thread and socket that nobody closes.
+    // In the editor, the process continues after play mode ends or scripts are compiled. Threads and sockets that are not closed continue too.
     internal static partial class SourceConnections
     {
         [InitializeOnLoadMethod]

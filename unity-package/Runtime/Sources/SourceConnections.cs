@@ -7,19 +7,19 @@ using UnityEngine;
 
 namespace NeuronMocap.Unity
 {
-    // The connections of all sources, one for each settings. Main thread only.
+    // The connections of all sources, one for each set of settings. Main thread only.
     internal static partial class SourceConnections
     {
-        // How long the end of a program, or of its domain, waits for threads that have been told to end.
+        // How long the end of a program, or of its domain, waits for threads that were told to stop.
         private static readonly TimeSpan CloseTimeout = TimeSpan.FromMilliseconds(100);
 
         private static readonly Dictionary<SourceSettings, SourceConnection> Open = new Dictionary<SourceSettings, SourceConnection>();
         private static readonly List<Task> Closing = new List<Task>();
 
-        // Connections that are open.
+        // The number of open connections.
         public static int Count => Open.Count;
 
-        // Ends when all that was closed has ended, threads included.
+        // Ends when all closed connections have ended, including their threads.
         public static Task Closed
         {
             get
@@ -46,7 +46,7 @@ namespace NeuronMocap.Unity
             if (--connection.UserCount > 0)
                 return;
 
-            // After the end of the program all are closed already.
+            // At the end of the program, all are already closed.
             if (Open.TryGetValue(connection.Settings, out SourceConnection? open) && open == connection)
                 Open.Remove(connection.Settings);
 
@@ -54,7 +54,7 @@ namespace NeuronMocap.Unity
             Closing.Add(connection.Close());
         }
 
-        // With domain reload switched off, statics are still there when play mode is entered again.
+        // Without a domain reload, statics keep their values when play mode is entered again.
         [RuntimeInitializeOnLoadMethod(RuntimeInitializeLoadType.SubsystemRegistration)]
         private static void Reset()
         {
@@ -76,7 +76,7 @@ namespace NeuronMocap.Unity
             }
             catch (AggregateException)
             {
-                // Whatever went wrong while a connection was closed: it is closed.
+                // The connection is closed, even if closing failed.
             }
         }
     }

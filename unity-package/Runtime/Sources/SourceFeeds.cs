@@ -8,8 +8,8 @@ using NeuronMocap.Server;
 
 namespace NeuronMocap.Unity
 {
-    // Makes what a connection receives from, for all kinds but the network: a broadcaster on a loopback port that the system chooses, so that what is made
-    // up takes the same way as what a suit sends, or the player of a recording. Any thread; reading a file may take long.
+    // Creates what a connection receives from, for all kinds except the network: a player of a recording, or a broadcaster on a loopback port chosen
+    // by the system. Simulated data thus takes the same path as data of a suit. Any thread; reading a file may take long.
     internal static class SourceFeeds
     {
         public static Broadcaster CreateSimulator(SourceSettings settings)
@@ -46,7 +46,7 @@ namespace NeuronMocap.Unity
             ? new SyntheticSource(settings.FrameRate, index)
             : (MotionSource)new StandingSource(settings.FrameRate, index, settings.Motion == SimulatedMotion.JointByJoint);
 
-        // With displacement, so that the sizes of the performer are in the stream.
+        // With displacement, so that the stream carries the performer's sizes.
         private static Broadcaster Start(BroadcasterOptions options)
         {
             options.Port = 0;

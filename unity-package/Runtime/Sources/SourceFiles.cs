@@ -5,10 +5,11 @@ using UnityEngine;
 
 namespace NeuronMocap.Unity
 {
-    // Where a source's file is. Main thread.
+    // The location of a source's file. Main thread.
     internal static class SourceFiles
     {
-        // Absolute paths as they are; others are in StreamingAssets, which on Android is a place within a package and no folder.
+        // Absolute paths are used as they are. Other paths are in StreamingAssets, which on Android is inside the application package and not a
+        // folder.
         public static string Resolve(string file)
         {
             file = file.Trim();

@@ -5,8 +5,8 @@ using UnityEngine;
 
 namespace NeuronMocap.Unity
 {
-    // What a connection is made of: sources whose settings are equal share one. Nobody changes it after it was made; the setters are there because
-    // Unity's C# has no init-only ones. What has no meaning for a kind stays at its default, so that it makes no difference.
+    // The settings of a connection. Sources with equal settings share one. Settings are not changed after creation; the setters exist because Unity's
+    // C# has no init-only setters. Settings irrelevant to a kind stay at their defaults, so that they do not affect equality.
     internal sealed record SourceSettings
     {
         public SourceKind Kind { get; set; }
@@ -39,14 +39,14 @@ namespace NeuronMocap.Unity
 
         public TextAsset? Asset { get; set; }
 
-        // Of the file or the asset; read on the main thread, which alone may ask an asset.
+        // Name of the file or the asset. Read on the main thread, because only the main thread may access an asset.
         public string Name { get; set; } = string.Empty;
 
         public bool Loop { get; set; }
 
         public float Speed { get; set; }
 
-        // What messages call it.
+        // The name used in messages.
         public string Target => Kind switch
         {
             SourceKind.Network => Transport == TransportKind.Tcp ? $"{Address}:{Port}" : $"UDP port {Port}",

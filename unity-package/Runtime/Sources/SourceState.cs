@@ -2,7 +2,9 @@
 
 namespace NeuronMocap.Unity
 {
-    /// <summary>What a <see cref="MocapSource"/> is doing. <see cref="MocapSource.StatusMessage"/> says it in words, with what can be changed.</summary>
+    /// <summary>
+    /// Specifies what a <see cref="MocapSource"/> is doing. <see cref="MocapSource.StatusMessage"/> says it in words, with the setting to change.
+    /// </summary>
     public enum SourceState
     {
         /// <summary>Not open: the component is disabled, or <see cref="MocapSource.Close"/> was called.</summary>
@@ -11,25 +13,25 @@ namespace NeuronMocap.Unity
         /// <summary>A file is being read.</summary>
         Loading,
 
-        /// <summary>Connecting, or taking the UDP port.</summary>
+        /// <summary>The source is connecting, or opening the UDP port.</summary>
         Connecting,
 
-        /// <summary>The connection stands; no frame has come yet.</summary>
+        /// <summary>The connection is open. No frame has arrived yet.</summary>
         Connected,
 
         /// <summary>Frames arrive.</summary>
         Receiving,
 
-        /// <summary>The connection stands, and no frames arrive.</summary>
+        /// <summary>The connection is open, but no frames arrive.</summary>
         Silent,
 
-        /// <summary>The connection failed or ended; it is tried again in a moment.</summary>
+        /// <summary>The connection failed or ended. The source reconnects in a moment.</summary>
         Waiting,
 
-        /// <summary>The file is over.</summary>
+        /// <summary>The file has ended.</summary>
         Ended,
 
-        /// <summary>It does not work, and is not tried again until something is changed.</summary>
+        /// <summary>The source failed. It does not try again until a setting changes.</summary>
         Failed,
     }
 }

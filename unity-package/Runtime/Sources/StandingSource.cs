@@ -8,7 +8,7 @@ using Vector3 = System.Numerics.Vector3;
 
 namespace NeuronMocap.Unity
 {
-    // The default body on a place of its own, standing in the T-pose or bending one joint after the other.
+    // The default body at its own place, standing in the T-pose or bending one joint after the other.
     internal sealed class StandingSource : MotionSource
     {
         private const float Distance = 150; // cm
@@ -40,7 +40,7 @@ namespace NeuronMocap.Unity
             if (!_bends)
                 return;
 
-            // Each bone three times: about X, Y and Z, there and back.
+            // Each bone bends three times: about X, Y and Z, there and back.
             double bends = frame / FrameRate / SecondsPerBend;
             int bone = (int)(bends / 3 % BoneHierarchy.BoneCount);
             float angle = Bend * MathF.Sin((float)(bends % 1) * 2 * MathF.PI);

@@ -4,7 +4,7 @@ using System;
 
 namespace NeuronMocap.Unity
 {
-    // The library's sentences, with the names of the inspector's fields in place of those of the options.
+    // The library's messages, with the names of inspector fields instead of options.
     internal static class StatusText
     {
         public const string Closed = "Closed. Enable the component, or call Open.";
@@ -12,8 +12,8 @@ namespace NeuronMocap.Unity
         public const string Loading = "Reading the file.";
 
         public const string Browser =
-            "A web browser gives a game neither sockets nor threads, so nothing can be received in a WebGL build. Build for desktop or mobile, or bring the "
-            + "motion in through a relay: see the page on platforms in the package's documentation.";
+            "A web browser provides neither sockets nor threads, so nothing can be received in a WebGL build. Build for desktop or mobile, or relay the "
+            + "motion to the page: see the page on platforms in the package's documentation.";
 
         private static readonly (string Option, string Field)[] Names =
         {
@@ -34,7 +34,7 @@ namespace NeuronMocap.Unity
             {
                 case SourceKind.Recording when status.Reason == ConnectionReason.EndOfRecording && status.State == ConnectionState.Stopped:
                 case SourceKind.BvhFile when status.Reason == ConnectionReason.ClosedByPeer:
-                    return $"The {settings.Target} is over. Switch Loop on to play it again and again.";
+                    return $"The {settings.Target} has ended. Switch Loop on to repeat it.";
                 case SourceKind.Simulator:
                 case SourceKind.BvhFile:
                     return Capitalise(WithFields(status.Message).Replace($"127.0.0.1:{connection.LocalPort}", settings.Target));
@@ -50,7 +50,7 @@ namespace NeuronMocap.Unity
             {
                 SourceKind.Network => $"{what} Change it in the inspector of the source.",
                 SourceKind.Simulator => $"The simulator did not start: {what}",
-                _ when settings.Asset is null && settings.File.Length == 0 => "File is empty: give the path of a file, absolute or in StreamingAssets.",
+                _ when settings.Asset is null && settings.File.Length == 0 => "File is empty. Enter the path of a file, absolute or relative to StreamingAssets.",
                 _ when settings.Asset is null && settings.File.Contains("://") =>
                     $"The {settings.Target} lies inside the application's package, where it cannot be opened as a file. Assign it as a text asset (BVH Asset), or copy it "
                     + "to Application.persistentDataPath first.",
@@ -60,7 +60,7 @@ namespace NeuronMocap.Unity
 
         private static string WithFields(string message)
         {
-            // An ArgumentException names its parameter at the end.
+            // The message of an ArgumentException ends with the name of its parameter.
             int parameter = message.IndexOf(" (Parameter", StringComparison.Ordinal);
             if (parameter >= 0)
                 message = message.Substring(0, parameter);

@@ -3,35 +3,35 @@ using UnityEngine;
 
 namespace NeuronMocap.Unity.Samples
 {
-    /// <summary>Lets performers come and go, and says who is there.</summary>
+    /// <summary>Adds and removes performers, and shows how many there are.</summary>
     public sealed class Crowd : MonoBehaviour
     {
         [SerializeField]
-        [Tooltip("The source; its simulator makes the performers.")]
+        [Tooltip("The source, whose simulator creates the performers.")]
         private MocapSource? _source;
 
         [SerializeField]
-        [Tooltip("Makes a figure for each performer.")]
+        [Tooltip("Creates a figure for each performer.")]
         private PerformerSpawner? _spawner;
 
         private string _message = "";
 
-        /// <summary>The source.</summary>
+        /// <summary>Gets or sets the source.</summary>
         public MocapSource? Source
         {
             get => _source;
             set => _source = value;
         }
 
-        /// <summary>Makes the figures.</summary>
+        /// <summary>Gets or sets the spawner that creates the figures.</summary>
         public PerformerSpawner? Spawner
         {
             get => _spawner;
             set => _spawner = value;
         }
 
-        /// <summary>One performer more, or fewer.</summary>
-        /// <param name="difference">How many more; negative for fewer.</param>
+        /// <summary>Adds or removes performers.</summary>
+        /// <param name="difference">The number to add. A negative number removes performers.</param>
         public void Change(int difference)
         {
             if (_source != null)

@@ -3,7 +3,9 @@ using UnityEngine;
 
 namespace NeuronMocap.Unity.Samples
 {
-    /// <summary>Put this on an empty object and press play: ground, light, camera, a figure, and a performer who walks and waves.</summary>
+    /// <summary>
+    /// Put this on an empty object and press Play. It creates ground, light, camera, a figure, and a performer who walks and waves.
+    /// </summary>
     public sealed class QuickStart : MonoBehaviour
     {
         [SerializeField]
@@ -16,24 +18,24 @@ namespace NeuronMocap.Unity.Samples
 
         [SerializeField]
         [Range(1, 65535)]
-        [Tooltip("As in the broadcasting settings there.")]
+        [Tooltip("Port, as in the broadcasting settings of Axis Neuron or Axis Studio.")]
         private int _port = 7001;
 
         [SerializeField]
-        [Tooltip("TCP or UDP, as in the broadcasting settings there.")]
+        [Tooltip("TCP or UDP, as in the broadcasting settings of Axis Neuron or Axis Studio.")]
         private TransportKind _transport = TransportKind.Tcp;
 
-        /// <summary>Whether the motion is made up; otherwise it comes over the network.</summary>
+        /// <summary>Gets or sets whether the motion is simulated. Otherwise it comes over the network.</summary>
         public bool UseSimulator
         {
             get => _useSimulator;
             set => _useSimulator = value;
         }
 
-        /// <summary>Where the motion comes from.</summary>
+        /// <summary>Gets the source of the motion.</summary>
         public MocapSource? Source { get; private set; }
 
-        /// <summary>Builds the figure that moves.</summary>
+        /// <summary>Gets the builder of the figure.</summary>
         public FigureBuilder? Builder { get; private set; }
 
         private void Start()
@@ -48,7 +50,7 @@ namespace NeuronMocap.Unity.Samples
             var holder = new GameObject("Mocap Source");
             holder.transform.SetParent(transform, false);
 
-            // Inactive until all is set, so that it opens once.
+            // Inactive until everything is set, so that the source opens only once.
             holder.SetActive(false);
             MocapSource source = holder.AddComponent<MocapSource>();
             source.Kind = _useSimulator ? SourceKind.Simulator : SourceKind.Network;

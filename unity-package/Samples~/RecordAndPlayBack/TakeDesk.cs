@@ -15,7 +15,7 @@ namespace NeuronMocap.Unity.Samples
         private MotionRecorder? _recorder;
 
         [SerializeField]
-        [Tooltip("A source that is disabled: it plays the take.")]
+        [Tooltip("A disabled source, which plays the take.")]
         private MocapSource? _playback;
 
         [SerializeField]
@@ -25,28 +25,28 @@ namespace NeuronMocap.Unity.Samples
 
         private string _take = "";
 
-        /// <summary>Records the live source.</summary>
+        /// <summary>Gets or sets the recorder of the live source.</summary>
         public MotionRecorder? Recorder
         {
             get => _recorder;
             set => _recorder = value;
         }
 
-        /// <summary>Plays the take.</summary>
+        /// <summary>Gets or sets the source that plays the take.</summary>
         public MocapSource? Playback
         {
             get => _playback;
             set => _playback = value;
         }
 
-        /// <summary>How long to record at the beginning, without being asked; seconds.</summary>
+        /// <summary>Gets or sets how long to record automatically at the start, in seconds.</summary>
         public float RecordAtStart
         {
             get => _recordAtStart;
             set => _recordAtStart = value;
         }
 
-        /// <summary>The recording that is played; empty before there is one.</summary>
+        /// <summary>Gets the path of the recording that is played. Empty before the first recording.</summary>
         public string Take => _take;
 
         private void OnEnable()
@@ -98,7 +98,7 @@ namespace NeuronMocap.Unity.Samples
 
         private void Record()
         {
-            // One file for people, one that plays as the stream did.
+            // BVH for animation programs, and a recording that plays like the stream.
             _recorder!.Formats = TakeFormats.Bvh | TakeFormats.Recording;
             _recorder.StartRecording();
         }

@@ -6,17 +6,17 @@ using UnityEngine;
 namespace NeuronMocap.Unity.Samples
 {
     /// <summary>
-    /// A game that reads joints and contacts: paint the tiles by standing on them, and burst the balloon with a hand.
+    /// A game that reads joints and contacts: stand on tiles to paint them, and burst the balloon with a hand.
     /// </summary>
     public sealed class TileGame : MonoBehaviour
     {
         private const float TileSize = 0.5f;
         private const float BalloonRadius = 0.12f;
 
-        // From the wrist to the middle of the hand, and some.
+        // From the wrist to the middle of the hand, plus a margin.
         private const float Reach = 0.12f;
 
-        // What cubes and spheres are made of. Player builds leave classes out that no script names, and CreatePrimitive needs them.
+        // Components of cubes and spheres. Player builds strip classes that no script names, and CreatePrimitive needs these.
         private static readonly Type[] PrimitiveParts = { typeof(MeshFilter), typeof(MeshRenderer), typeof(BoxCollider), typeof(SphereCollider) };
 
         private static readonly Color Plain = new Color(0.3f, 0.32f, 0.36f);
@@ -28,7 +28,7 @@ namespace NeuronMocap.Unity.Samples
 
         [SerializeField]
         [Range(4, 24)]
-        [Tooltip("Tiles along each side of the floor; half a metre each.")]
+        [Tooltip("Number of tiles along each side of the floor. A tile is half a metre wide.")]
         private int _tilesPerSide = 14;
 
         private readonly Dictionary<Vector2Int, Renderer> _tiles = new Dictionary<Vector2Int, Renderer>();
@@ -36,27 +36,27 @@ namespace NeuronMocap.Unity.Samples
         private MaterialPropertyBlock? _color;
         private Transform? _balloon;
 
-        /// <summary>The source whose first performer plays.</summary>
+        /// <summary>Gets or sets the source whose first performer plays.</summary>
         public MocapSource? Source
         {
             get => _source;
             set => _source = value;
         }
 
-        /// <summary>Number of tiles that were painted.</summary>
+        /// <summary>Gets the number of painted tiles.</summary>
         public int PaintedTiles => _painted.Count;
 
-        /// <summary>Number of balloons that were burst.</summary>
+        /// <summary>Gets the number of burst balloons.</summary>
         public int Balloons { get; private set; }
 
-        /// <summary>Where the balloon is, relative to this object; metres.</summary>
+        /// <summary>Gets the position of the balloon relative to this object, in metres.</summary>
         public Vector3 BalloonPosition => _balloon != null ? _balloon.localPosition : Vector3.zero;
 
-        /// <summary>What the player does in this frame: feet on tiles, hands at the balloon.</summary>
+        /// <summary>Evaluates a frame of the player: feet on tiles, hands at the balloon.</summary>
         /// <param name="performer">The player.</param>
         public void Play(Performer performer)
         {
-            // Contacts say which foot stands; joints are in metres, on a stage whose origin is this object's.
+            // Contacts say which feet touch the ground. Joints are in metres, on a stage whose origin is that of this object.
             FootContacts contacts = performer.Contacts;
             if (contacts.Left)
                 Paint(performer.GetPosition(Bone.LeftFoot));
@@ -121,7 +121,7 @@ namespace NeuronMocap.Unity.Samples
                 SetColor(surface, Painted);
         }
 
-        // Both names: one is the built-in pipeline's, one that of URP and HDRP.
+        // Both names: one for the built-in pipeline, one for URP and HDRP.
         private void SetColor(Renderer surface, Color color)
         {
             _color!.SetColor("_Color", color);

@@ -5,13 +5,14 @@ using UnityEngine;
 namespace NeuronMocap.Unity.Samples
 {
     /// <summary>
-    /// A figure whose body is moved by the suit and whose head is turned by a headset. The headset's camera is put where the figure's eyes are, by moving what
-    /// it hangs from: the headset alone turns it, because anything else makes people sick. Works with any XR package, and with none: all it needs is a transform.
+    /// A figure whose body follows the suit and whose head follows a headset. This component moves the parent of the headset's camera so that the
+    /// camera is at the figure's eyes. Only the headset turns the camera, because anything else causes motion sickness. It works with any XR package,
+    /// or none: it only needs a transform.
     /// </summary>
     [DefaultExecutionOrder(400)]
     public sealed class HeadsetHead : MonoBehaviour
     {
-        // From the neck's end to between the eyes, in front of the face; metres.
+        // From the end of the neck to the point between the eyes, in front of the face, in metres.
         private static readonly Vector3 Eyes = new Vector3(0, 0.09f, 0.13f);
 
         [SerializeField]
@@ -31,31 +32,31 @@ namespace NeuronMocap.Unity.Samples
         private Quaternion _headRest;
         private float _suitWeight = 1;
 
-        /// <summary>The driver of the figure.</summary>
+        /// <summary>Gets or sets the driver of the figure.</summary>
         public HumanoidDriver? Driver
         {
             get => _driver;
             set => _driver = value;
         }
 
-        /// <summary>What the camera hangs from.</summary>
+        /// <summary>Gets or sets the parent of the camera.</summary>
         public Transform? Rig
         {
             get => _rig;
             set => _rig = value;
         }
 
-        /// <summary>What the headset turns.</summary>
+        /// <summary>Gets or sets the camera that the headset turns.</summary>
         public Transform? Headset
         {
             get => _headset;
             set => _headset = value;
         }
 
-        /// <summary>The head that the headset turns; null while there is no figure.</summary>
+        /// <summary>Gets the head that the headset turns, or null if there is no figure.</summary>
         public Transform? Head => _head;
 
-        /// <summary>Turns the rig so that the headset looks where the figure's chest does. Call it when the wearer looks straight ahead.</summary>
+        /// <summary>Turns the rig so that the headset looks where the figure's chest points. Call it when the wearer looks straight ahead.</summary>
         [ContextMenu("Recenter")]
         public void Recenter()
         {
@@ -76,7 +77,7 @@ namespace NeuronMocap.Unity.Samples
 
         private void OnEnable()
         {
-            // The suit has a say in all but the head.
+            // The suit moves everything except the head.
             if (_driver == null)
                 return;
 
@@ -90,7 +91,7 @@ namespace NeuronMocap.Unity.Samples
                 _driver.PartWeights.Set(BodyParts.Head, _suitWeight);
         }
 
-        // After the driver, and after the headset, whose pose Unity has set by then.
+        // Runs after the driver and after the headset, whose pose Unity has set by then.
         private void LateUpdate()
         {
             if (_driver == null || _rig == null || _headset == null || _driver.Animator == null || !(_driver.TargetRig is { } rig))

@@ -3,7 +3,7 @@ using UnityEngine;
 
 namespace NeuronMocap.Unity.Samples
 {
-    /// <summary>Stands in for a headset: turns this object while a mouse button is held. Works with either input system.</summary>
+    /// <summary>Replaces a headset: turns this object while a mouse button is held. Works with both input systems.</summary>
     public sealed class MouseLook : MonoBehaviour
     {
         private const float SteepestPitch = 80;
@@ -16,7 +16,7 @@ namespace NeuronMocap.Unity.Samples
         private float _yaw;
         private float _pitch;
 
-        /// <summary>Turns by so much.</summary>
+        /// <summary>Turns the object.</summary>
         /// <param name="yaw">Degrees to the right.</param>
         /// <param name="pitch">Degrees downwards.</param>
         public void Turn(float yaw, float pitch)
@@ -28,7 +28,7 @@ namespace NeuronMocap.Unity.Samples
 
         private void OnGUI()
         {
-            GUILayout.Label("Hold a mouse button and move to look around: in place of a headset.");
+            GUILayout.Label("Hold a mouse button and move the mouse to look around, instead of with a headset.");
             Event now = Event.current;
             if (now.type == EventType.MouseDrag)
                 Turn(now.delta.x * _speed, now.delta.y * _speed);

@@ -6,10 +6,10 @@ using Numerics = System.Numerics;
 
 namespace NeuronMocap.Unity.Tests
 {
-    /// <summary>The library's conversion gives what Unity's own rotations do.</summary>
+    /// <summary>The library's conversion agrees with Unity's own rotations.</summary>
     public sealed class AxesTests
     {
-        /// <summary>A turn of the right-handed stream looks the same in Unity's mirrored space.</summary>
+        /// <summary>A turn in the right-handed stream looks the same in Unity's mirrored space.</summary>
         /// <param name="x">Axis of the turn.</param>
         /// <param name="y">As above.</param>
         /// <param name="z">As above.</param>

@@ -6,7 +6,7 @@ using UnityEngine;
 
 namespace NeuronMocap.Unity.Tests
 {
-    /// <summary>A figure that is built is a Humanoid that Unity accepts, and stands as the library says.</summary>
+    /// <summary>Unity accepts a built figure as a Humanoid, and the figure stands as the library says.</summary>
     public sealed class HumanoidFigureTests
     {
         private HumanoidFigure _figure = null!;
@@ -28,7 +28,7 @@ namespace NeuronMocap.Unity.Tests
             Assert.That(_figure.Animator.isHuman, Is.True);
         }
 
-        /// <summary>All of Unity's human bones are there but eyes and jaw.</summary>
+        /// <summary>The figure has all of Unity's human bones except eyes and jaw.</summary>
         [Test]
         public void It_has_every_bone_that_a_performer_has()
         {
@@ -40,7 +40,7 @@ namespace NeuronMocap.Unity.Tests
             Assert.That(_figure.Animator.GetBoneTransform(HumanBodyBones.Jaw) == null, Is.True);
         }
 
-        /// <summary>Left is at negative x when it looks along z, and the feet are down.</summary>
+        /// <summary>If the figure looks along z, left is at negative x, and the feet are down.</summary>
         [Test]
         public void It_stands_in_the_T_pose_and_looks_along_z()
         {
@@ -51,7 +51,7 @@ namespace NeuronMocap.Unity.Tests
             Assert.That(GetPosition(HumanBodyBones.LeftFoot).y, Is.LessThan(hips.y - 0.5f));
         }
 
-        /// <summary>Numbers and names that the library knows by heart are those of this Unity.</summary>
+        /// <summary>The numbers and names of bones in the library match those of this Unity.</summary>
         [Test]
         public void Names_and_numbers_of_bones_are_Unity_s()
         {

@@ -6,7 +6,7 @@ using UnityEngine.TestTools;
 
 namespace NeuronMocap.Unity.Tests
 {
-    /// <summary>From the built-in simulator to a figure that moves, and what becomes of both when objects come and go.</summary>
+    /// <summary>The path from the built-in simulator to a moving figure, and its behaviour when objects come and go.</summary>
     public sealed class SimulatedPerformerTests
     {
         private GameObject _root = null!;
@@ -30,7 +30,7 @@ namespace NeuronMocap.Unity.Tests
         [TearDown]
         public void Remove() => Object.DestroyImmediate(_root);
 
-        /// <summary>The hand of the figure travels.</summary>
+        /// <summary>The hand of the figure moves.</summary>
         /// <returns>The steps of the test.</returns>
         [UnityTest]
         public IEnumerator A_simulated_performer_moves_a_figure()
@@ -43,7 +43,7 @@ namespace NeuronMocap.Unity.Tests
             Assert.That(_figure.Driver.Problem, Is.Empty);
         }
 
-        /// <summary>A source that is disabled lets its performers go, and finds them again.</summary>
+        /// <summary>A disabled source removes its performers. Enabled again, it finds them again.</summary>
         /// <returns>The steps of the test.</returns>
         [UnityTest]
         public IEnumerator A_source_can_be_disabled_and_enabled()
@@ -65,7 +65,7 @@ namespace NeuronMocap.Unity.Tests
             }
         }
 
-        /// <summary>The figure ends with its builder, and comes back with it.</summary>
+        /// <summary>The figure is destroyed with its builder and returns with it.</summary>
         /// <returns>The steps of the test.</returns>
         [UnityTest]
         public IEnumerator A_figure_ends_with_its_builder()
@@ -81,7 +81,7 @@ namespace NeuronMocap.Unity.Tests
             yield return Wait.Until(() => _figure.Driver.IsDriving, "a driven figure again");
         }
 
-        // Looked up each time: the figure is built anew when the performer's sizes are known.
+        // Looked up each time, because the figure is rebuilt when the performer's sizes are known.
         private Vector3 GetHandPosition() => _figure.Figure!.Animator.GetBoneTransform(HumanBodyBones.LeftHand)!.position;
 
         private GameObject CreateChild(string name)

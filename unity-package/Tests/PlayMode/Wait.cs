@@ -8,7 +8,7 @@ namespace NeuronMocap.Unity.Tests
 {
     internal static class Wait
     {
-        // Far longer than anything ever takes, so that only a failure reaches it.
+        // Far longer than any usual wait, so that only a failure reaches it.
         private const float Unexpected = 30;
 
         public static IEnumerator Until(Func<bool> condition, string what)
@@ -17,7 +17,7 @@ namespace NeuronMocap.Unity.Tests
             while (!condition())
             {
                 if (Time.realtimeSinceStartup > end)
-                    Assert.Fail($"It has not come: {what}.");
+                    Assert.Fail($"The wait timed out: {what}.");
 
                 yield return null;
             }

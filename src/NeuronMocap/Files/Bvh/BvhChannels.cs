@@ -23,6 +23,6 @@ internal static class BvhChannels
         RotationOrder.YZX => [BvhChannel.Yrotation, BvhChannel.Zrotation, BvhChannel.Xrotation],
         RotationOrder.ZXY => [BvhChannel.Zrotation, BvhChannel.Xrotation, BvhChannel.Yrotation],
         RotationOrder.ZYX => [BvhChannel.Zrotation, BvhChannel.Yrotation, BvhChannel.Xrotation],
-        _ => throw new ArgumentOutOfRangeException(nameof(order), order, "There are six rotation orders, 0 to 5."),
+        _ => throw new ArgumentOutOfRangeException(nameof(order), order, "The order must be one of the six rotation orders, 0 to 5."),
     };
 }

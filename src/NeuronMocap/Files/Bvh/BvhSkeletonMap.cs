@@ -46,7 +46,7 @@ public sealed class BvhSkeletonMap
     /// <exception cref="ArgumentOutOfRangeException">The bone does not exist.</exception>
     public BvhJoint this[Bone bone] => (uint)bone < BoneHierarchy.BoneCount
         ? _joints[(int)bone]
-        : throw new ArgumentOutOfRangeException(nameof(bone), bone, "There are 59 bones, 0 to 58.");
+        : throw new ArgumentOutOfRangeException(nameof(bone), bone, "The bone must be one of the 59 bones, 0 to 58.");
 
     /// <summary>Gets the body that the hierarchy describes: its OFFSETs and End Sites. A leaf without an End Site ends at its joint.</summary>
     /// <returns>A body of the file's <see cref="SkeletonVariant"/>. The file's unit is assumed to be centimetres.</returns>

@@ -3,10 +3,11 @@ using System.Net;
 using System.Net.Sockets;
 using NeuronMocap;
 
-// Compiled and run by Mono. Receives over TCP, over UDP, and from a server that closes again and again; prints what came.
+// Compiled and run by Mono. Receives over TCP, over UDP, and from a server that closes repeatedly, and prints what arrived.
 public static class Program
 {
-    // Ports: of a broadcast over TCP; of a server that is told the UDP port; of the one that closes. Then frames to wait for, of each.
+    // Arguments: the ports of a TCP broadcast, of a server that is told the UDP port, and of the server that closes; then the number of frames to
+    // wait for from each.
     public static void Main(string[] arguments)
     {
         int frames = int.Parse(arguments[3]);

@@ -12,12 +12,12 @@ using NeuronMocap.Commands;
 using NeuronMocap.Recording;
 using NeuronMocap.Server;
 
-// Compiled and run by Mono. Stops what can be stopped, again and again, in every state, and prints how long it took, in milliseconds.
+// Compiled and run by Mono. Repeatedly stops everything that can be stopped, in every state, and prints the times in milliseconds.
 public static class Program
 {
     private const int Rounds = 15;
 
-    // Of a reader that waits for something in vain: what ends by itself takes less, on a busy computer too.
+    // For a reader that waits in vain. Everything that ends on its own takes less, even on a busy computer.
     private static readonly TimeSpan StopTimeout = TimeSpan.FromMinutes(1);
 
     private static int silentPort;
@@ -25,7 +25,7 @@ public static class Program
     private static int blackHolePort;
     private static int closedPort;
 
-    // Ports of servers: one that sends nothing, one that sends all the time, one that does not answer; then a path for a recording.
+    // Arguments: the ports of a server that sends nothing, one that always sends, and one that does not answer; then a path for a recording.
     public static void Main(string[] arguments)
     {
         silentPort = int.Parse(arguments[0]);
@@ -37,7 +37,7 @@ public static class Program
         closed.Stop();
         Record(arguments[3]);
 
-        // What the runtime makes once and keeps.
+        // A first run, for objects that the runtime creates once and keeps.
         Measure(() => Tcp(sendingPort), UntilFrames);
         Measure(Udp, SendDatagrams);
         GC.Collect();
@@ -88,7 +88,7 @@ public static class Program
         Print(state, times);
     }
 
-    // While no thread of the pool is free, and there are no more to come.
+    // All threads of the pool are busy, and the pool adds no more.
     private static void ShowStarved(string state, Func<NeuronReader> create, Action<NeuronReader> reach)
     {
         int workers, completers;
@@ -118,7 +118,7 @@ public static class Program
         Print(state + " in a starved process", times);
     }
 
-    // The shortest in milliseconds: a busy computer may hold up any of them, and what waits in vain does so each time.
+    // Prints the shortest time in milliseconds. A busy computer may delay some runs, but a stop that waits in vain is slow every time.
     private static void Print(string state, List<double> times)
     {
         Console.WriteLine(state + ": " + times.Min().ToString("0.0", System.Globalization.CultureInfo.InvariantCulture));
@@ -208,7 +208,7 @@ public static class Program
         return reader;
     }
 
-    // Its frames lie an hour apart.
+    // The frames are an hour apart.
     private static NeuronReader Playing(string path, bool isPaused)
     {
         RecordingPlayer player = RecordingPlayer.Open(path);
@@ -226,7 +226,7 @@ public static class Program
         return reader;
     }
 
-    // A frame of a broadcast, and the same an hour later.
+    // Records a frame of a broadcast, and the same frame an hour later.
     private static void Record(string path)
     {
         byte[] frame = new byte[1480];
@@ -302,7 +302,7 @@ public static class Program
         }
         catch (IOException)
         {
-            return false; // it has ended meanwhile
+            return false; // it ended in the meantime
         }
     }
 

@@ -4,7 +4,7 @@ using static NeuronMocap.Tests.Bvh.BvhSamples;
 
 namespace NeuronMocap.Tests.Bvh;
 
-/// <summary>Trimming, joining and resampling: what happens to the frames of a take.</summary>
+/// <summary>Trimming, joining and resampling: the effect on the frames of a take.</summary>
 public class BvhEditingTests
 {
     private static readonly BvhDocument Five = Numbered(5, new BvhFrameTime(1, 120));
@@ -64,7 +64,7 @@ public class BvhEditingTests
         Assert.Contains(reason, failure.Message, StringComparison.Ordinal);
     }
 
-    // The root's position channels replace its OFFSET: it says nothing about the body.
+    // The root's position channels replace its OFFSET, so its OFFSET says nothing about the body.
     [Fact]
     public void The_offset_of_a_joint_with_positions_may_differ() =>
         Assert.Equal(4, BvhEditing.Join([Parse(TwoRows), Parse(TwoRows.Replace("93.020", "90", StringComparison.Ordinal))]).FrameCount);
@@ -81,7 +81,7 @@ public class BvhEditingTests
 
         BvhDocument joined = BvhEditing.Join([first, second], isAligned: true);
 
-        // As a whole: all distances and heights are kept.
+        // As a whole: all distances and heights stay.
         var before = new RawPose(joined, 19);
         var start = new RawPose(joined, 20);
         AssertNear([before.Position("Hips")[0], before.Position("Hips")[2]], [start.Position("Hips")[0], start.Position("Hips")[2]], 1e-3);
@@ -96,7 +96,7 @@ public class BvhEditingTests
             }
         }
 
-        // No other heading brings the hips nearer to how they were turned.
+        // No other heading brings the hips closer to their previous orientation.
         double nearest = before.Distance(start).Rotation;
         Assert.True(nearest <= 2, $"{nearest}");
         for (int frame = 1; frame < 50; frame++)
@@ -167,7 +167,7 @@ public class BvhEditingTests
         AssertBits(Five.GetFrame(3), take.GetFrame(2));
     }
 
-    // An hour at 59.94 Hz: a rate as a double would be off by whole frames' bits at the end.
+    // Seventeen minutes at 59.94 Hz. With the rate as a double, the last frames would not be exact.
     [Fact]
     public void Times_are_fractions()
     {
@@ -197,7 +197,7 @@ public class BvhEditingTests
         }
     }
 
-    // (179, 10, -3) and the same rotation as (-1, 170, 177): between them lies neither, but the rotation itself.
+    // (179, 10, -3) and (-1, 170, 177) are the same rotation. Interpolating the angles gives neither, but interpolating the rotation does.
     [Fact]
     public void An_angle_flip_is_no_motion()
     {

@@ -70,7 +70,7 @@ public class BvhFrameTimeTests
         Assert.Equal(time, read);
     }
 
-    // Whatever rate a program resamples to, the file that it writes says so exactly.
+    // Whatever the rate of a resampling, the written file states it exactly.
     [Fact]
     public void Rates_of_few_digits_survive_their_text()
     {

@@ -3,7 +3,7 @@ using NeuronMocap.Tests.Recording;
 
 namespace NeuronMocap.Tests.Bvh;
 
-// What a disk without room leaves of a file.
+// What a full disk leaves of a file.
 public sealed class BvhFullDiskTests
 {
     private const int Rows = 60;

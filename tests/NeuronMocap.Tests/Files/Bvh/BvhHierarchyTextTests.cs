@@ -99,7 +99,7 @@ public class BvhHierarchyTextTests
     private static void AssertBits(Vector3 expected, Vector3 actual) =>
         BvhSamples.AssertBits([expected.X, expected.Y, expected.Z], [actual.X, actual.Y, actual.Z]);
 
-    // Any bits at all, apart from the many patterns of NaN, which text does not tell apart.
+    // Any bits, except for the many patterns of NaN, which text does not distinguish.
     private static float AnyFloat(Random random)
     {
         float value = BitConverter.Int32BitsToSingle(random.Next(int.MinValue, int.MaxValue));

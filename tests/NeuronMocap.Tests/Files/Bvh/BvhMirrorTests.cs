@@ -17,7 +17,7 @@ public class BvhMirrorTests
         AssertMirrored(take, take.Mirror(), OtherSide);
     }
 
-    // Sides of different channels, orders and offsets, and joints that are their own partner.
+    // Sides with different channels, orders and offsets, and joints that are their own partner.
     [Theory]
     [InlineData("lArm", "rArm")]
     [InlineData("LHip", "RHip")]

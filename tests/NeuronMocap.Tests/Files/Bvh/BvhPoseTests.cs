@@ -4,7 +4,7 @@ using static NeuronMocap.Tests.Bvh.BvhSamples;
 
 namespace NeuronMocap.Tests.Bvh;
 
-/// <summary>Other channels, names or sides for the same pose.</summary>
+/// <summary>The same pose with other channels, names or sides.</summary>
 public class BvhPoseTests
 {
     // A float holds an angle to a hundred-thousandth of a degree.
@@ -42,7 +42,7 @@ public class BvhPoseTests
             AssertBits(Values(take), Values(other));
     }
 
-    // With the second angle at 90 degrees the first and the third turn about one line.
+    // If the second angle is 90 degrees, the first and the third turn about the same line.
     [Fact]
     public void Rotations_at_the_pole_keep_their_pose_without_jumps()
     {
@@ -179,7 +179,7 @@ public class BvhPoseTests
     private static string OrderOf(BvhJoint joint) =>
         string.Concat(joint.Channels.Where(static channel => channel >= BvhChannel.Xrotation).Select(static channel => channel.ToString()[0]));
 
-    // The other triple of the same rotation.
+    // Writes the other triple of the same rotation.
     private static void Flip(Span<float> row)
     {
         for (int i = 3; i < row.Length; i += 3)

@@ -33,7 +33,7 @@ public class BvhReaderTests
         Assert.Equal(0, reader.RepairCount);
     }
 
-    // What is not there yet is not waited for: a row is read when the end of its line is, even if that may be half a CR LF.
+    // Reads a row as soon as the end of its line arrives, even if that may be half a CR LF, without waiting for more.
     [Theory]
     [InlineData("\n")]
     [InlineData("\r")]
@@ -84,7 +84,7 @@ public class BvhReaderTests
         Infrastructure.Allocations.AssertNone(() => Assert.True(reader.TryReadFrame(row)));
     }
 
-    // Neither rows that are broken across lines nor those that stand on one, once there is room for them.
+    // Neither rows broken across lines nor rows joined on one line allocate, once the list of repairs is full.
     [Fact]
     public void A_repaired_row_allocates_nothing_after_the_list_is_full()
     {
@@ -112,7 +112,8 @@ public class BvhReaderTests
         static byte[] Repeated(int rows) =>
             Encoding.UTF8.GetBytes($"{Hierarchy}MOTION\nFrames: {rows}\nFrame Time: 0.008\n{string.Concat(Enumerable.Repeat(Row, rows))}");
 
-        // What reading takes, it takes each time; what the runtime makes once, when it comes to it, or again after the pool's arrays were collected, it does not.
+        // Reading allocates the same each time. The minimum excludes objects that the runtime creates once, or again after the pool's arrays were
+        // collected.
         static long LeastAllocated(byte[] bytes) => Enumerable.Range(0, 5).Select(_ => Allocated(bytes)).Min();
 
         static long Allocated(byte[] bytes)
@@ -132,7 +133,7 @@ public class BvhReaderTests
         }
     }
 
-    // One line of everything, and one word of everything: neither is held.
+    // Everything in one line, and everything in one word: neither is buffered as a whole.
     [Theory]
     [InlineData("1 2 3 4 5 6 7 8 9 ", 100_000)]
     [InlineData("8", 1_000_000)]

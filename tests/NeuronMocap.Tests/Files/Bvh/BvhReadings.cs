@@ -4,10 +4,10 @@ using NeuronMocap.Bvh;
 
 namespace NeuronMocap.Tests.Bvh;
 
-/// <summary>Reads the same text in all ways that there are, and compares what comes out, down to the last bit and the last repair.</summary>
+/// <summary>Reads the same text in all ways, and compares the results down to the last bit and the last repair.</summary>
 internal static class BvhReadings
 {
-    /// <summary>Everything about a document, or about why there is none.</summary>
+    /// <summary>Describes everything about a document, or why it was rejected.</summary>
     public static string Describe(Func<BvhDocument> read)
     {
         try
@@ -51,10 +51,12 @@ internal static class BvhReadings
         }
     }
 
-    /// <summary>Asserts that the text is read alike whole and in pieces, as a document and by rows; and by strict readers only if it needs no repair.</summary>
+    /// <summary>
+    /// Asserts equal results for the text as a whole and in pieces, as a document and by rows. Strict readers accept it only if it needs no repair.
+    /// </summary>
     /// <param name="text">The file.</param>
-    /// <param name="seed">Of the pieces.</param>
-    /// <returns>The reading of it.</returns>
+    /// <param name="seed">The seed of the pieces.</param>
+    /// <returns>The result.</returns>
     public static string AssertAlike(byte[] text, int seed)
     {
         string whole = Describe(() => BvhDocument.Parse(text));
@@ -70,7 +72,7 @@ internal static class BvhReadings
         return whole;
     }
 
-    // A strict reading refuses the first thing that a lenient one repairs or refuses, at the same place, and else reads the same.
+    // A strict reading rejects the first thing that a lenient one repairs or rejects, at the same place. Otherwise it gives the same result.
     private static void AssertStrict(byte[] text, string lenient)
     {
         var strict = new BvhReadOptions { Strict = true };

@@ -67,7 +67,7 @@ public class BvhRobustnessTests
         Assert.InRange(GC.GetAllocatedBytesForCurrentThread() - before, 1, 16_384);
     }
 
-    // Found by fuzzing: each fault cost the text that describes it, also where no more of them are listed, with the joint's whole name in it.
+    // Found by fuzzing: each fault allocated its description with the joint's whole name, even when no more faults were listed.
     [Theory]
     [InlineData("", "{")]
     [InlineData("ROOT short {", "OFFSET ")]
@@ -89,7 +89,7 @@ public class BvhRobustnessTests
         Assert.InRange(allocated, 1, 200_000);
     }
 
-    // What a recorder left behind that somebody had to throw away; once without its beginning and once with it.
+    // The remains of a failed recording: once without its start and once with it.
     [Fact]
     public void A_corrupt_file_of_headings_and_blank_lines_is_refused_or_read_without_frames()
     {
@@ -105,7 +105,7 @@ public class BvhRobustnessTests
             document.Repairs.Select(repair => (repair.Line, repair.Column)));
     }
 
-    // Nothing beside the values: neither a copy of the file nor rows that are moved from one array to another.
+    // Loading allocates only the values. It copies neither the file nor rows from one array to another.
     [Theory]
     [InlineData(true)]
     [InlineData(false)]
@@ -178,7 +178,7 @@ public class BvhRobustnessTests
         return [.. text];
     }
 
-    // Whatever is read also keeps its promises.
+    // A file that is read must also keep the documented rules.
     private static bool IsRead(ReadOnlySpan<byte> text, string which)
     {
         try

@@ -214,7 +214,7 @@ public class BvhSkeletonMapTests
         Assert.Throws<ArgumentException>(() => map.GetReference(new float[179]));
     }
 
-    // The root's own values are negative: the others keep their index.
+    // The root's own values are negative, so the others keep their index.
     private static string UnderRoot(string name, string channels)
     {
         int count = channels[0] - '0';

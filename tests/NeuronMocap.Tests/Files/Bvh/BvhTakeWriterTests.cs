@@ -49,7 +49,7 @@ public class BvhTakeWriterTests
             Write(new BvhTakeOptions { Body = SkeletonBody.GetDefault(SkeletonVariant.Spine3) }, Frame(1, new float[180])).Joints.Select(static joint => joint.Offset));
     }
 
-    // What is no number is a row's, and no body's.
+    // NaN affects a row, but not the body.
     [Fact]
     public void A_first_frame_of_NaN_gets_the_default_body()
     {

@@ -34,7 +34,7 @@ public class BvhTextFormatTests
         Assert.Equal(expected, Parse("\uFEFF" + text).TextFormat);
     }
 
-    // Kept, it would stand in front of every line that is written: of a few bytes gigabytes.
+    // If it were kept, it would precede every written line and turn a few bytes into gigabytes.
     [Fact]
     public void Very_long_blanks_are_no_layout()
     {

@@ -4,10 +4,10 @@ using NeuronMocap.Bvh;
 
 namespace NeuronMocap.Tests.Bvh;
 
-/// <summary>White space in every shape between every two tokens of a file.</summary>
+/// <summary>Every kind of white space between every two tokens of a file.</summary>
 public class BvhWhiteSpaceTests
 {
-    // A space where at least one white space character has to stand, a middle dot where it has to stay on the line, and ~ where none has to stand.
+    // A space marks required white space, a middle dot marks required white space within the line, and ~ marks optional white space.
     private const string File =
         "~HIERARCHY ROOT·Hips~{~OFFSET 1 2.5 -3 CHANNELS 3 Xposition Yrotation Zrotation JOINT·Spine~{~OFFSET 4 5 6 CHANNELS 1 Xrotation "
         + "End·Site~{~OFFSET 7 8 9~}~}~}~MOTION Frames:·2 Frame·Time:·0.01 1·2·3·4\n5·6·7·8\n";
@@ -50,7 +50,7 @@ public class BvhWhiteSpaceTests
         AssertReads(Write(-1, shape), expected);
     }
 
-    // Where a line must not break, it is repaired or refused with its place, and nothing else.
+    // If a line break is not allowed, it is repaired or rejected with its place. Nothing else changes.
     [Theory]
     [MemberData(nameof(GapPlaces))]
     public void Misplaced_white_space_is_repaired_or_refused(int gap)
@@ -59,7 +59,7 @@ public class BvhWhiteSpaceTests
             BvhReadings.AssertAlike(Encoding.ASCII.GetBytes(Write(gap, shape)), seed: gap);
     }
 
-    // A name may stand on the line below its keyword.
+    // A name may be on the line after its keyword.
     [Theory]
     [InlineData("\n")]
     [InlineData("\r\n")]

@@ -95,7 +95,7 @@ public sealed class BvhWriterTests : IDisposable
         AssertBits(document.GetFrame(0), Values(read));
     }
 
-    // Where a stream is already written to, places are those of the stream.
+    // If a stream already contains data, places are relative to the stream.
     [Fact]
     public void A_stream_is_written_from_its_position()
     {
@@ -110,7 +110,7 @@ public sealed class BvhWriterTests : IDisposable
         Assert.Contains("Frames: 1 ", Encoding.ASCII.GetString(memory.ToArray()), StringComparison.Ordinal);
     }
 
-    // CHANNELS may stand after the children's; the values of a row stand in the order of these lines.
+    // CHANNELS may come after the children's. The values of a row follow the order of these lines.
     [Fact]
     public void Columns_in_another_order_are_written_in_joint_order()
     {
@@ -171,7 +171,7 @@ public sealed class BvhWriterTests : IDisposable
         expected.Joints.Select(static joint => (joint.Name, joint.Parent?.Index, joint.Offset, joint.EndSite, joint.FirstChannel, string.Join(' ', joint.Channels))),
         actual.Joints.Select(static joint => (joint.Name, joint.Parent?.Index, joint.Offset, joint.EndSite, joint.FirstChannel, string.Join(' ', joint.Channels))));
 
-    // Text does not tell the many patterns of NaN apart.
+    // Text does not distinguish the many patterns of NaN.
     private static void AssertSameValues(float[] expected, float[] actual) => AssertBits(
         [.. expected.Select(static value => float.IsNaN(value) ? float.NaN : value)],
         [.. actual.Select(static value => float.IsNaN(value) ? float.NaN : value)]);

@@ -27,7 +27,7 @@ public class FrameSequenceTests
     [Fact]
     public void A_late_frame_was_already_replaced() => Assert.Equal([1, 1, 2, 0, 1], Rows(120, [5, 6, 8, 7, 9], [0, 1, 3, 3, 4]));
 
-    // They once were taken for a server that counts anew, and the rows after them stood twice.
+    // They were once mistaken for a restarted server, and the rows after them were doubled.
     [Fact]
     public void Late_frames_that_fill_a_gap_are_no_restart() =>
         Assert.Equal([1, 1, 4, 0, 0, 0, 1], Rows(120, [4, 5, 9, 6, 7, 8, 10], [0, 1, 5, 5, 5, 5, 6]));
@@ -59,7 +59,7 @@ public class FrameSequenceTests
         Assert.Equal(expected, _sequence.Measure().FrameRate, 1e-6);
     }
 
-    // The intervals of a real stream: a few milliseconds more or less, and now and then two frames at once.
+    // The intervals of a real stream: a few milliseconds more or less, and sometimes two frames at once.
     [Fact]
     public void Jitter_does_not_change_the_rate()
     {
@@ -79,7 +79,7 @@ public class FrameSequenceTests
         Assert.Equal(60, _sequence.Measure().FrameRate, 1e-6);
     }
 
-    // What a server had ready when the connection stood.
+    // Frames that a server had ready when the connection opened.
     [Fact]
     public void A_burst_at_the_start_of_a_short_take_does_not_change_the_rate()
     {
@@ -89,7 +89,7 @@ public class FrameSequenceTests
         Assert.Equal(60, _sequence.Measure().FrameRate, 1e-6);
     }
 
-    // Its clock starts, and then it makes up for what its start took.
+    // The server's clock starts, and then the server catches up on the time that its start took.
     [Fact]
     public void Servers_that_start_mid_take_do_not_change_the_rate()
     {

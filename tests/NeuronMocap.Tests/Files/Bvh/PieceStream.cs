@@ -1,6 +1,6 @@
 namespace NeuronMocap.Tests.Bvh;
 
-/// <summary>A stream that gives its bytes in pieces of the sizes that it is told, like a pipe: it neither seeks nor knows its length.</summary>
+/// <summary>A stream that returns its bytes in pieces of given sizes, like a pipe. It cannot seek and has no length.</summary>
 internal sealed class PieceStream(byte[] bytes, Func<int> nextSize) : Stream
 {
     private int _position;
@@ -19,7 +19,7 @@ internal sealed class PieceStream(byte[] bytes, Func<int> nextSize) : Stream
         set => throw new NotSupportedException();
     }
 
-    /// <summary>Bytes that were taken.</summary>
+    /// <summary>The number of bytes taken.</summary>
     public int Taken => _position;
 
     public bool IsClosed { get; private set; }

@@ -5,7 +5,7 @@ using NeuronMocap.Bvh;
 
 namespace NeuronMocap.Tests.Bvh;
 
-/// <summary>A hierarchy and rows made up at random, and a text of them laid out at random: there is nothing in it that needs a repair.</summary>
+/// <summary>A random hierarchy with random rows, and a text of them with random layout. It needs no repair.</summary>
 internal sealed class RandomBvh
 {
     private static readonly string[] Names = ["Hips", "a", "Left Up  Leg", "腰", "Hüfte_2", "mixamorig:Spine", "𝔖𝔭", "1.5", "Offset", "x#y", "Ende"];

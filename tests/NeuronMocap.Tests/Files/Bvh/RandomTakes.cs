@@ -3,7 +3,7 @@ using NeuronMocap.Bvh;
 
 namespace NeuronMocap.Tests.Bvh;
 
-/// <summary>Documents of any shape: random trees, channels and orders. What differs follows from the number that the case is made of.</summary>
+/// <summary>Documents of any shape: random trees, channels and orders. They follow from the number of the case.</summary>
 internal sealed class RandomTakes(int seed)
 {
     private static readonly BvhChannel[] Positions = [BvhChannel.Xposition, BvhChannel.Yposition, BvhChannel.Zposition];
@@ -14,14 +14,14 @@ internal sealed class RandomTakes(int seed)
     /// <summary>Any channels, any number of them, several roots.</summary>
     public BvhHierarchy AnyHierarchy() => Hierarchy(_random.Next(1, 12), () => Shuffled(AllChannels())[.._random.Next(7)]);
 
-    /// <summary>Three rotations in an order of its own for each joint, with positions or without.</summary>
+    /// <summary>Three rotations in an individual order for each joint, with or without positions.</summary>
     public BvhHierarchy TurningHierarchy() => Hierarchy(
         _random.Next(2, 12), () => _random.Next(2) == 0 ? Shuffled(Rotations) : [.. Positions, .. Shuffled(Rotations)], hasOneRoot: true);
 
     /// <summary>Floats of any bits.</summary>
     public float[] AnyValues(int count) => Values(count, () => BitConverter.Int32BitsToSingle(_random.Next(int.MinValue, int.MaxValue)));
 
-    /// <summary>A motion: each value wanders by a few degrees or centimetres from row to row.</summary>
+    /// <summary>A motion: each value changes by a few degrees or centimetres from row to row.</summary>
     public float[] Motion(BvhHierarchy hierarchy, int frames)
     {
         float[] values = Values(hierarchy.ChannelCount * frames, () => (_random.NextSingle() - 0.5f) * 10);

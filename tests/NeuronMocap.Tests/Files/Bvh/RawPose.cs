@@ -3,8 +3,8 @@ using NeuronMocap.Bvh;
 namespace NeuronMocap.Tests.Bvh;
 
 /// <summary>
-/// Where the joints of a row are in the world: matrices in double precision, straight from the channels, by no code of the library's.
-/// A position channel replaces its coordinate of the OFFSET.
+/// The world transforms of the joints of a row: matrices in double precision, computed from the channels without code of the library. A position
+/// channel replaces its coordinate of the OFFSET.
 /// </summary>
 internal sealed class RawPose
 {
@@ -32,7 +32,9 @@ internal sealed class RawPose
 
     public double[] End(string joint) => _ends[joint];
 
-    /// <summary>The largest difference between the joints of two poses: of a place, and of an entry of the rotation. One may name joints differently.</summary>
+    /// <summary>
+    /// Returns the largest differences between the joints of two poses, in position and in entries of the rotation. Joint names may differ.
+    /// </summary>
     public (double Position, double Rotation) Distance(RawPose other, Func<string, string>? rename = null)
     {
         double position = 0;

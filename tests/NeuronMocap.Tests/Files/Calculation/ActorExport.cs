@@ -3,7 +3,7 @@ using NeuronMocap.Server;
 
 namespace NeuronMocap.Tests.Calculation;
 
-// A calculation export of the synthetic actor: the centres of the bones, as Axis Neuron writes them.
+// A calculation export of the synthetic actor, with the centres of the bones, as Axis Neuron writes it.
 internal static class ActorExport
 {
     public static CalculationDocument Write(int frames, bool stands = false)

@@ -78,7 +78,7 @@ public sealed class CalculationAxesTests
         Assert.Throws<ArgumentException>(() => axes.ConvertToBvh(new float[100]));
     }
 
-    // What the numbers of a quaternion mean, whatever the handedness of the axes that they are given in.
+    // The meaning of a quaternion's numbers, whatever the handedness of their axes.
     private static Vector3 RotateByHand(Vector3 vector, Quaternion rotation)
     {
         var axis = new Vector3(rotation.X, rotation.Y, rotation.Z);

@@ -194,7 +194,7 @@ public sealed class CalculationFileTests
         public void Report(long value) => Values.Add(value);
     }
 
-    // Gives a few bytes at a time.
+    // Returns a few bytes at a time.
     private sealed class PiecewiseStream(byte[] bytes, int piece) : MemoryStream(bytes)
     {
         public override int Read(byte[] buffer, int offset, int count) => base.Read(buffer, offset, Math.Min(count, piece));

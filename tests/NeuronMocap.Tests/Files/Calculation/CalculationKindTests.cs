@@ -6,7 +6,7 @@ using NeuronMocap.Skeleton;
 
 namespace NeuronMocap.Tests.Calculation;
 
-/// <summary>What an export's header says, which kind of export it is, and lengths that nobody has.</summary>
+/// <summary>The header of an export, the kind of export, and impossible lengths.</summary>
 public sealed class CalculationKindTests
 {
     [Theory]

@@ -4,7 +4,7 @@ using NeuronMocap.Skeleton;
 
 namespace NeuronMocap.Tests.Calculation;
 
-// Where the bones of a measured export are.
+// The bone positions of a measured export.
 internal static class CalculationPoses
 {
     public static BoneTransform[] WorldOf(CalculationSkeleton skeleton, CalculationDocument document, int frame)
@@ -15,7 +15,7 @@ internal static class CalculationPoses
         return pose;
     }
 
-    // Where a bone ends, in its own axes: hands as far as their default fingers, which are scaled to that, within a millimetre.
+    // The end of a bone in its own axes. For hands, it is the end of the default fingers, which are scaled to match, within a millimetre.
     public static Vector3 EndOf(Bone bone, SkeletonBody body) => bone switch
     {
         Bone.Hips => Vector3.Zero,

@@ -5,7 +5,7 @@ using NeuronMocap.Tests.Reader;
 
 namespace NeuronMocap.Tests.Playback;
 
-// What a live reader received, its recording gives again: frames, figures and states.
+// Playing a recording repeats what a live reader received: frames, figures and states.
 public class PlaybackFixtureTests
 {
     [Theory]
@@ -57,7 +57,7 @@ public class PlaybackFixtureTests
         await AssertSameAsync(end.Reader, log, statuses, file);
     }
 
-    /// <summary>Another encoder's streams, where a class derives from this one.</summary>
+    /// <summary>Loads a stream. Derived classes load another encoder's streams.</summary>
     internal virtual StreamFixture Load(string name) => StreamFixture.Load(name);
 
     private static async Task AssertSameAsync(NeuronReader live, FrameLog liveFrames, StatusLog liveStatuses, TemporaryFile file)
@@ -75,7 +75,7 @@ public class PlaybackFixtureTests
             live.GetAvatarStatistics().Select(static avatar => avatar with { LastTimestamp = 0, Jitter = default, FrameRate = 0 }),
             reader.GetAvatarStatistics().Select(static avatar => avatar with { LastTimestamp = 0, Jitter = default, FrameRate = 0 }));
 
-        // Over UDP the live reader's port was bound before the log looked on.
+        // Over UDP, the live reader's port was bound before the log started.
         ConnectionState[] states = [.. statuses.All.Select(static status => status.State).Distinct()];
         Assert.Equal([ConnectionState.Connecting, ConnectionState.Connected, ConnectionState.Receiving, ConnectionState.Stopped], states);
         Assert.Subset(states.ToHashSet(), liveStatuses.All.Select(static status => status.State).ToHashSet());
@@ -85,6 +85,6 @@ public class PlaybackFixtureTests
             statuses.All.Last(static status => status.State == ConnectionState.Receiving).Format);
     }
 
-    // What does not hang on the moment.
+    // Figures that do not depend on the moment.
     private static ReaderStatistics Figures(ReaderStatistics statistics) => statistics with { FirstFrameTimestamp = 0, LastFrameTimestamp = 0 };
 }

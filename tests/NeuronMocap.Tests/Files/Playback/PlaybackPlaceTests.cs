@@ -3,7 +3,7 @@ using NeuronMocap.Tests.Network;
 
 namespace NeuronMocap.Tests.Playback;
 
-// Steps and seeks: other places of the recording than the next.
+// Steps and seeks: places of the recording other than the next.
 public sealed class PlaybackPlaceTests
 {
     [Fact]
@@ -26,7 +26,7 @@ public sealed class PlaybackPlaceTests
         Assert.Equal([0u, 1u, 2u, 3u, 4u], frames.Indices);
         Assert.Equal(30, player.Position.TotalMilliseconds);
         Assert.Equal((2, ConnectionState.Receiving), (reader.GetStatistics().BytesSkipped, reader.Status.State));
-        // At the end steps do nothing, and it is no end as long as it is paused.
+        // At the end, steps do nothing. While paused, it does not count as the end.
         for (int i = 0; i < 3; i++)
             player.Step();
 
@@ -90,7 +90,7 @@ public sealed class PlaybackPlaceTests
         Assert.Equal(expected, frames.Indices);
         Assert.Equal((0, 0), (reader.GetStatistics().BytesSkipped, reader.GetStatistics().Lost));
 
-        // Further than what is looked at first, and to the start, where it stays.
+        // Further than the first look reaches, and to the start, where it stays.
         frames.Clear();
         player.Seek(player.Duration);
         for (int i = 0; i < 398; i++)
@@ -114,7 +114,7 @@ public sealed class PlaybackPlaceTests
     [InlineData(3999, 400)]
     public async Task A_seek_continues_with_the_next_whole_frame(double milliseconds, int expected)
     {
-        // Each packet is cut in two: the cut lies before the place, the end behind it.
+        // Each packet is cut in two: the cut is before the place, the end after it.
         byte[] bytes = TestPackets.Motions(0, 401);
         int size = bytes.Length / 401;
         using TemporaryFile file = Recordings.OfTcp(

@@ -2,7 +2,7 @@ using NeuronMocap.Recording;
 
 namespace NeuronMocap.Tests.Playback;
 
-// A place that takes long to find is not waited for by whoever ends the playback.
+// Ending a playback does not wait for a place that takes long to find.
 public sealed class PlaybackStopTests
 {
     [Theory, InlineData(true), InlineData(false)]
@@ -25,7 +25,7 @@ public sealed class PlaybackStopTests
         await Limits.UntilAsync(() => !source.IsReading);
     }
 
-    // Holds nothing but the instant zero, without end.
+    // Contains only the instant zero, without end.
     private sealed class EndlessSource() : RecordedEventSource("endless")
     {
         private readonly byte[] _bytes = new byte[8];
@@ -34,7 +34,7 @@ public sealed class PlaybackStopTests
 
         public long Reads => Interlocked.Read(ref _reads);
 
-        // Whether it was read since the last time.
+        // Whether it was read since the last call.
         public bool IsReading
         {
             get

@@ -3,7 +3,7 @@ using NeuronMocap.Tests.Network;
 
 namespace NeuronMocap.Tests.Playback;
 
-/// <summary>Players, and what they play.</summary>
+/// <summary>Players and their recordings.</summary>
 internal static class Played
 {
     public static RecordingPlayer Open(TemporaryFile file, PlaybackTime time)

@@ -67,7 +67,7 @@ public sealed class RawDumpTests
         return lines;
     }
 
-    // From a second before midnight on: the clock starts again.
+    // From a second before midnight on, so that the clock restarts.
     private static byte[] Studio(int frame, int rate)
     {
         int second = (86_399 + (frame / rate)) % 86_400;

@@ -75,7 +75,7 @@ public sealed class RecordingPlayerTests
         reader.Start();
         await reader.Completion.Soon();
 
-        // A dump's passes follow each other at its rate.
+        // Repetitions of a dump follow each other at its rate.
         Assert.Equal(200, frames.Lines.Length);
         Assert.Equal(199 * 1000 / 120.0, frames.Milliseconds[^1], 0.1);
     }
@@ -231,7 +231,7 @@ public sealed class RecordingPlayerTests
         reader.Start();
         await statuses.WaitAsync(ConnectionState.Receiving);
 
-        // Another one that plays on, and is silent for as long, begins after it and is told of.
+        // Another recording that plays on and is silent for as long starts after it, and its silence is reported.
         using TemporaryFile other = Played.Frames(2, interval: 3_600_000);
         using RecordingPlayer playing = RecordingPlayer.Open(other.Path);
         await using var control = new NeuronReader(playing, new NeuronReaderOptions { SilenceTimeout = TimeSpan.FromSeconds(0.2) });

@@ -2,7 +2,7 @@ using NeuronMocap.Recording;
 
 namespace NeuronMocap.Tests.Recording;
 
-// Whole blocks that somebody took out, put in twice or moved: all their checksums are right, only their numbers tell.
+// Whole blocks that were removed, duplicated or moved. All their checksums are right, so only their numbers reveal it.
 public sealed class BlockOrderTests
 {
     private const int EntryBlocks = 12;
@@ -96,7 +96,7 @@ public sealed class BlockOrderTests
         Assert.Equal(All, Recordings.Numbers(reader, Size));
         Assert.Contains("last block is missing", Assert.Single(reader.Problems).Description, StringComparison.Ordinal);
 
-        // Cut off before the index nobody can tell.
+        // If the file is cut off before the index, the loss cannot be detected.
         using RecordingReader killed = Open(Enumerable.Range(0, Blocks - 2));
         Assert.Equal(All, Recordings.Numbers(killed, Size));
         Assert.Empty(killed.Problems);
@@ -140,7 +140,7 @@ public sealed class BlockOrderTests
         }
     }
 
-    // Each header and each payload is right; all have the same number, or fall.
+    // Each header and each payload is right. All have the same number, or decreasing numbers.
     [Theory, InlineData(0), InlineData(-1)]
     public void Hostile_block_numbers_take_bounded_memory_and_time(int step)
     {
@@ -161,7 +161,8 @@ public sealed class BlockOrderTests
         Assert.InRange(reader.Problems.Count, 1, 100);
     }
 
-    // The look-up reads other blocks into the memory in which the block lies that made it necessary: one that something stands behind, to see whether it is whole.
+    // The look-up reads other blocks into the memory of the block that caused it. It needs a block that is followed by another, to check whether it
+    // is whole.
     [Fact]
     public void Too_many_blocks_to_index_are_still_read()
     {

@@ -3,12 +3,12 @@ using NeuronMocap.Tests.Playback;
 
 namespace NeuronMocap.Tests.Recording;
 
-// Files by somebody who knows the format and wants the reader's memory: everything in them is right but the numbers.
+// Files of an attacker who knows the format and wants to exhaust the reader's memory. Everything in them is right except the numbers.
 public sealed class CraftedRecordingTests
 {
     private const int Size = 2 << 20;
 
-    // Of all that is allocated while the file is read, garbage included, for each of its bytes.
+    // All allocations while the file is read, including garbage, for each of its bytes.
     [Theory]
     [InlineData("connections", 22)]
     [InlineData("senders", 22)]

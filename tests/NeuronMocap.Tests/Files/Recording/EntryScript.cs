@@ -2,7 +2,7 @@ using NeuronMocap.Recording;
 
 namespace NeuronMocap.Tests.Recording;
 
-// Turns random numbers into entries that follow the rules, and knows what must be read.
+// Converts random numbers to entries that follow the rules, and knows the expected result of reading them.
 internal sealed class EntryScript
 {
     private readonly HashSet<int> _open = [];

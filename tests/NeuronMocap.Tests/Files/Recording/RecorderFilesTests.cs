@@ -40,7 +40,7 @@ public sealed class RecorderFilesTests : RecorderTest
         recorder.SetMetadata("rotation-order", "XYZ");
         while (recorder.GetStatistics().Files < 6)
         {
-            // Never more than the queue holds: a busy machine writes late.
+            // Never more than the queue holds, because a busy machine writes late.
             Push();
             await Limits.UntilAsync(() => Sent - recorder.GetStatistics().Pieces < Size / PieceSize);
         }

@@ -2,7 +2,7 @@ using NeuronMocap.Recording;
 
 namespace NeuronMocap.Tests.Recording;
 
-// What the recorder does when the disk is full.
+// The recorder's behaviour on a full disk.
 public sealed class RecorderFullDiskTests : RecorderTest
 {
     [Fact]
@@ -15,7 +15,7 @@ public sealed class RecorderFullDiskTests : RecorderTest
         Assert.Equal("No space left on device.", Assert.IsType<IOException>(recorder.Failure).Message);
         Assert.False(recorder.IsRecording);
 
-        // What is told is what the file holds; what was taken and not written is lost.
+        // The statistics count what the file holds. Pieces that were taken but not written are lost.
         RecordingStatistics statistics = recorder.GetStatistics();
         Push();
         Assert.Equal((statistics.Pieces, statistics.LostPieces), (recorder.GetStatistics().Pieces, recorder.GetStatistics().LostPieces));
@@ -35,7 +35,7 @@ public sealed class RecorderFullDiskTests : RecorderTest
             .Select(entry => BitConverter.ToInt32(Convert.FromHexString(entry.Bytes)))];
         Assert.Equal(Enumerable.Range(0, numbers.Length), numbers);
 
-        // Less is missing than the block that found no room.
+        // Less is missing than the block that did not fit.
         Assert.InRange(numbers.Length, (300_000 - RecordingLayout.BlockSize - 10_000) / (PieceSize + 10), 300);
         recorder.Dispose();
     }
@@ -47,7 +47,7 @@ public sealed class RecorderFullDiskTests : RecorderTest
         Assert.Throws<IOException>(() => new StreamRecorder(
             "/dev/full", new RecordingOptions { Overwrite = true }, RecordingMetadata.Empty, Tap, static _ => { }));
 
-        // The first file is made, the second one finds no room.
+        // The first file is created. The second does not fit.
         int files = 0;
         StreamRecorder recorder = Start(new RecordingOptions { MaxFileSize = 1 << 20 }, path => ++files == 1
             ? new FileStream(Folder.PathOf(Path.GetFileName(path)), FileMode.CreateNew)
@@ -58,7 +58,7 @@ public sealed class RecorderFullDiskTests : RecorderTest
         Assert.NotEmpty(RecordedEntry.ReadAll(reader));
     }
 
-    // There is no room for the beginning of the third file, or for all of the second.
+    // There is no room for the start of the third file, or for all of the second.
     [Theory, InlineData(3, 50), InlineData(2, 500_000)]
     public async Task A_full_disk_counts_losses_over_all_files(int full, int room)
     {

@@ -5,7 +5,7 @@ using NeuronMocap.Recording;
 
 namespace NeuronMocap.Tests.Recording;
 
-// What the recorder's queue does when the disk is slow.
+// The recorder's queue on a slow disk.
 public sealed class RecorderQueueTests : RecorderTest
 {
     [Fact]
@@ -168,7 +168,7 @@ public sealed class RecorderQueueTests : RecorderTest
         recorder.Dispose();
     }
 
-    // The disk takes nothing from here on. Once the writing thread waits for it, no piece leaves the queue any more.
+    // The disk takes nothing from here on. While the writing thread waits for it, no piece leaves the queue.
     private async Task LoseAsync(StreamRecorder recorder, HeldStream disk, int pieces)
     {
         const int Some = 200;
@@ -182,7 +182,7 @@ public sealed class RecorderQueueTests : RecorderTest
             Push();
     }
 
-    // Until one piece finds room in the queue.
+    // Pushes until one piece fits into the queue.
     private Task PushUntilTakenAsync(StreamRecorder recorder) => Limits.UntilAsync(() =>
     {
         long lost = recorder.GetStatistics().LostPieces;

@@ -35,7 +35,7 @@ public abstract class RecorderTest : IDisposable
         Tap.OnBytes(0, [], _piece, Stopwatch.GetTimestamp());
     }
 
-    // A file of a megabyte is full soon: many pieces at each look.
+    // A file of a megabyte fills quickly, so it pushes many pieces at each check.
     private protected Task PushUntilAsync(Func<bool> condition) => Limits.UntilAsync(() =>
     {
         for (int i = 0; i < 100 && !condition(); i++)

@@ -2,7 +2,7 @@ using NeuronMocap.Recording;
 
 namespace NeuronMocap.Tests.Recording;
 
-// Files that were cut off, changed, or made by somebody else.
+// Files that were cut off, changed, or created by another program.
 public sealed class RecordingDamageTests
 {
     private const int Blocks = 6;
@@ -139,7 +139,7 @@ public sealed class RecordingDamageTests
         static string Refuse(byte[] bytes) => Assert.Throws<RecordingFormatException>(() => RecordingReader.Open(new MemoryStream(bytes))).Message;
     }
 
-    // Right checksums, wrong content: only somebody on purpose makes these.
+    // Right checksums with wrong content, which only happens on purpose.
     [Fact]
     public void A_hostile_file_takes_bounded_memory_and_time()
     {
@@ -150,7 +150,7 @@ public sealed class RecordingDamageTests
         file.Write(head);
         while (file.Length < 4 << 20)
         {
-            // Each announces the largest payload, and has another checksum than it.
+            // Each announces the largest payload, and has a wrong checksum.
             new BlockHeader(BlockKind.Entries, (BlockEncoding)(file.Length % 3), 1, RecordingLayout.MaxPayload, RecordingLayout.MaxTime, 1).Write(header, seed);
             file.Write(header);
         }

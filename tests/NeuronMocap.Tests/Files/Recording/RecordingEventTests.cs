@@ -7,7 +7,7 @@ using NeuronMocap.Tests.Network;
 
 namespace NeuronMocap.Tests.Recording;
 
-// What a reader tells about its recordings, and what recordings tell about their reader.
+// A reader's events about its recordings, and the recordings' information about their reader.
 public sealed class RecordingEventTests : IDisposable
 {
     private readonly RecordingFolder _folder = new();

@@ -6,13 +6,13 @@ using NeuronMocap.Skeleton;
 
 namespace NeuronMocap.Tests.Recording;
 
-// Sizes, times, seeking, checksums: what docs/reference/recording.md promises.
+// Sizes, times, seeking and checksums as documented in docs/reference/recording.md.
 public sealed class RecordingFormatTests
 {
     [Fact]
     public void The_checksum_is_CRC_32C()
     {
-        // The check value of the catalogues of CRCs.
+        // The check value of CRC catalogues.
         Assert.Equal(0xE306_9283, Crc32C.Append(0, "123456789"u8));
         Assert.Equal(0u, Crc32C.Append(0, []));
         byte[] bytes = Recordings.Piece(1, 300);
@@ -29,7 +29,7 @@ public sealed class RecordingFormatTests
         Assert.Equal(Crc32C.Append(0, file.AsSpan(96, BitConverter.ToInt32(file, 76))), BitConverter.ToUInt32(file, 88));
     }
 
-    // At 60 Hz, flushed four times a second: 15 pieces in a block of 32 bytes of header.
+    // At 60 Hz with four flushes a second: 15 pieces in a block, with a header of 32 bytes.
     [Theory]
     [InlineData(1480, 4 * 15 + 4 + 32, 0.0044)]
     [InlineData(784, 4 * 15 + 4 + 32, 0.0082)]
@@ -48,7 +48,7 @@ public sealed class RecordingFormatTests
 
             writer.Flush();
 
-            // The first piece of a block also says whose it is and how long; its time stands in the header.
+            // The first piece of a block also has its sender and its length. Its time is in the header.
             Assert.Equal(bytesPerBlock - 2, writer.WrittenLength - before - (PerBlock * pieceSize));
         }
 
@@ -69,7 +69,7 @@ public sealed class RecordingFormatTests
             },
             metadata: metadata);
 
-        // What is allowed in any case, and 41 bytes for each block of one piece.
+        // The fixed allowance, and 41 bytes for each block of one piece.
         long fixedPart = 16 * 1024 + (41 * (bytes / RecordingLayout.BlockSize));
         Assert.InRange(file.Length - bytes, 41 * (bytes / RecordingLayout.BlockSize), fixedPart + (bytes / 1000) + 4096);
     }
@@ -94,10 +94,10 @@ public sealed class RecordingFormatTests
         foreach (RecordingReader reader in (RecordingReader[])[whole, crashed])
         {
             Assert.Equal(10_000L * (Count - 1), reader.Duration.Ticks);
-            // Far apart, and around the checkpoints, each of which has the time of the piece before it.
+            // Far apart, and around the checkpoints. Each checkpoint has the time of the piece before it.
             foreach (int first in (int[])[Count - 1, 0, 1, 17, 1999, 1000, 3998, Count, .. Enumerable.Range(1000, 100), .. Enumerable.Range(3100, 100)])
             {
-                // Between two pieces, and on one.
+                // Between two pieces, and exactly on one.
                 foreach (long time in (long[])[(10_000L * first) - 1, 10_000L * first])
                 {
                     reader.Seek(Recordings.Ticks(Math.Max(0, time)));
@@ -229,7 +229,7 @@ public sealed class RecordingFormatTests
             });
     }
 
-    // Blocks included, of which there are 7; checkpoints, which cost a little, come after a megabyte.
+    // Includes the 7 blocks. Checkpoints, which cost a little, come only after a megabyte.
     [Fact]
     public void Writing_a_piece_allocates_nothing()
     {

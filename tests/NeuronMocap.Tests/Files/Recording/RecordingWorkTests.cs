@@ -2,15 +2,15 @@ using NeuronMocap.Recording;
 
 namespace NeuronMocap.Tests.Recording;
 
-/// <summary>Hostile recordings cost a bounded number of bytes read for each of their own. Counted, not timed.</summary>
+/// <summary>Reading a hostile recording costs a bounded number of bytes for each of its own. The bytes are counted, not timed.</summary>
 public class RecordingWorkTests
 {
     private const int Blocks = 2_000;
 
-    // What is looked at for the next block, and again when the file is read after it was looked through.
+    // The bytes examined to find the next block, and again when the file is read after the search.
     private const long MostOfEachBlock = 8 * 4096;
 
-    // Payloads that are checked although another block may begin within.
+    // Payloads that are checked although another block may start inside them.
     private const long MostLookedInto = 17 * 1024 * 1024;
 
     [Theory]
@@ -24,7 +24,7 @@ public class RecordingWorkTests
         Assert.InRange(CountRead(file), file.Length, Blocks * MostOfEachBlock);
     }
 
-    // Each header announces a payload that reaches over thousands of others.
+    // Each header announces a payload that spans thousands of others.
     [Theory]
     [InlineData(10_000)]
     [InlineData(60_000)]
@@ -49,7 +49,7 @@ public class RecordingWorkTests
         return [.. head, .. Enumerable.Range(0, Blocks).SelectMany(_ => block), .. new byte[length]];
     }
 
-    // Of a recording without an entry.
+    // The head of a recording without entries.
     private static byte[] Head(out uint seed)
     {
         var file = new MemoryStream();

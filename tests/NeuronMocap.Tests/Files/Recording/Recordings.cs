@@ -2,7 +2,7 @@ using NeuronMocap.Recording;
 
 namespace NeuronMocap.Tests.Recording;
 
-// Makes recordings in memory.
+// Creates recordings in memory.
 internal static class Recordings
 {
     public static readonly DateTimeOffset Start = new(2026, 11, 21, 10, 30, 0, TimeSpan.Zero);
@@ -18,7 +18,7 @@ internal static class Recordings
         return file.ToArray();
     }
 
-    // Blocks of a few pieces each; the ends of the blocks are told, the last one behind the last piece.
+    // Blocks of a few pieces each. ends receives the end of each block, the last one after the last piece.
     public static byte[] InBlocks(int blocks, int piecesPerBlock, int pieceSize, List<int>? ends = null, bool compress = false) => Write(
         writer =>
         {
@@ -47,7 +47,7 @@ internal static class Recordings
         return piece;
     }
 
-    // The numbers of the pieces that are there; each is checked to be whole.
+    // Returns the numbers of the pieces, and checks that each piece is whole.
     public static List<int> Numbers(RecordingReader reader, int size)
     {
         var numbers = new List<int>();

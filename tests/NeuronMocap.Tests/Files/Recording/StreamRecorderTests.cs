@@ -219,7 +219,7 @@ public sealed class StreamRecorderTests : IDisposable
     private static string JoinedBytes(List<RecordedEntry> entries) =>
         string.Concat(entries.Where(entry => entry.Kind == RecordingEntryKind.Bytes).Select(entry => entry.Bytes));
 
-    // A whole file, without a fault.
+    // Reads a whole file without faults.
     private List<RecordedEntry> Read(string name)
     {
         using RecordingReader reader = RecordingReader.Open(_folder.PathOf(name));

@@ -5,7 +5,7 @@ using NeuronMocap.Recording;
 
 namespace NeuronMocap.Tests.Recording;
 
-// Listens beside a recorder: what it should have written.
+// Listens beside a recorder, to know what it should write.
 internal sealed class TapLog : IStreamListener
 {
     public List<StreamConnection> Opened { get; } = [];
@@ -29,7 +29,7 @@ internal sealed class TapLog : IStreamListener
 
     public void OnClosed(StreamConnection connection, string reason, long timestamp) => Closed.Add(reason);
 
-    // Same pieces, to the byte and, the beginning being the same, to 100 ns.
+    // Asserts equal pieces, to the byte and to 100 ns relative to the start.
     public void AssertRecorded(IReadOnlyList<RecordedEntry> entries)
     {
         RecordedEntry[] pieces = [.. entries.Where(entry => entry.Kind == RecordingEntryKind.Bytes)];

@@ -6,7 +6,7 @@ internal sealed class HeldStream : MemoryStream
     private readonly ManualResetEventSlim _free = new(initialState: true);
     private volatile bool _isWaitedFor;
 
-    /// <summary>Whether a write waits until the disk is let go.</summary>
+    /// <summary>Whether a write waits until the disk is released.</summary>
     public bool IsWaitedFor => _isWaitedFor;
 
     public void Hold() => _free.Reset();
@@ -22,10 +22,10 @@ internal sealed class HeldStream : MemoryStream
     }
 }
 
-// A disk with room for so many bytes. As a file on a full disk does, it takes what fits, and lets itself be shortened and its bytes be replaced.
+// A disk with room for a number of bytes. Like a file on a full disk, it takes what fits, can be shortened, and can be overwritten.
 internal sealed class FullStream(int room) : MemoryStream
 {
-    // Spans come here as well.
+    // Writes of spans also come here.
     public override void Write(byte[] buffer, int offset, int count)
     {
         int taken = Math.Min(count, room - (int)Position);

@@ -4,7 +4,7 @@ using NeuronMocap.Skeleton;
 
 namespace NeuronMocap.Tests.Retargeting.Pictures;
 
-/// <summary>Draws an actor and a character in Unity's axes, seen from in front and a little from the side.</summary>
+/// <summary>Draws an actor and a character in Unity's axes, seen from the front and slightly from the side.</summary>
 internal sealed class FigureDrawing(SvgDrawing drawing)
 {
     public const float PixelsPerMetre = 96;
@@ -15,7 +15,7 @@ internal sealed class FigureDrawing(SvgDrawing drawing)
 
     private static readonly Quaternion View = Quaternion.CreateFromAxisAngle(Vector3.UnitX, -0.12f) * Quaternion.CreateFromAxisAngle(Vector3.UnitY, 0.42f);
 
-    /// <summary>Bones as thin lines, all 59 and where the outermost end.</summary>
+    /// <summary>Draws the 59 bones and their ends as thin lines.</summary>
     public void Actor(Vector2 ground, ReadOnlySpan<BoneTransform> world, SkeletonBody body)
     {
         Vector3[] points = new Vector3[JointPositions.Count];
@@ -34,7 +34,7 @@ internal sealed class FigureDrawing(SvgDrawing drawing)
         }
     }
 
-    /// <summary>Bones as thick ones; nodes that are none as rings, and each bone's own axes where they are asked for.</summary>
+    /// <summary>Draws bones as thick lines and other nodes as rings. On request, draws each bone's own axes.</summary>
     public void Character(Vector2 ground, RetargetedPose pose, bool withAxes)
     {
         TargetRig rig = pose.Rig;
@@ -62,7 +62,7 @@ internal sealed class FigureDrawing(SvgDrawing drawing)
     private static string ColorOf(string name) =>
         name.StartsWith("Left", StringComparison.Ordinal) ? Left : name.StartsWith("Right", StringComparison.Ordinal) ? Right : Middle;
 
-    // Whoever looks at the figure has its left, -X, on the right.
+    // For the viewer, the figure's left, -X, is on the right.
     private static Vector2 At(Vector2 ground, Vector3 place)
     {
         Vector3 seen = Vector3.Transform(place, View) * PixelsPerMetre;

@@ -5,10 +5,10 @@ using System.Text.RegularExpressions;
 
 namespace NeuronMocap.Tests.Retargeting.Pictures;
 
-/// <summary>Lines, circles and words as an SVG picture, and whether two such pictures show the same.</summary>
+/// <summary>Lines, circles and words as an SVG picture, and a comparison of two such pictures.</summary>
 internal sealed partial class SvgDrawing(int width, int height)
 {
-    // In pixels: what one build and another round differently.
+    // In pixels. Builds may round differently by this much.
     private const double SamePlace = 0.25;
 
     private readonly StringBuilder _shapes = new();
@@ -30,7 +30,7 @@ internal sealed partial class SvgDrawing(int width, int height)
 
         """).ReplaceLineEndings("\n");
 
-    /// <summary>What the first difference is; null when both show the same.</summary>
+    /// <summary>Returns the first difference, or null if both show the same.</summary>
     public static string? Difference(string one, string other)
     {
         string[] lines = one.ReplaceLineEndings("\n").Split('\n');

@@ -45,7 +45,7 @@ public sealed class DashboardAvatarTests
     [Fact]
     public void Standing_feet_are_letters_and_raised_feet_are_dots()
     {
-        // A foot stands that is where it was a frame before.
+        // A foot counts as planted if it is where it was a frame before.
         LiveState state = WithPose();
         state.Take(Poses.Upright(index: 1));
         string none = string.Join('\n', Draw(state, 80, 24));
@@ -55,7 +55,7 @@ public sealed class DashboardAvatarTests
         Assert.Contains("\e[", colours, StringComparison.Ordinal);
         Assert.Matches("L.*R", WithoutColours(colours));
 
-        // Half a metre above the ground no foot stands.
+        // Half a metre above the ground, no foot touches it.
         state.Take(Poses.Upright(index: 2, height: 50));
         Assert.Matches("· · *\n", string.Join('\n', Draw(state, 80, 24)));
     }
@@ -85,7 +85,7 @@ public sealed class DashboardAvatarTests
         Assert.Contains("> 0 Actor0 front", captions, StringComparison.Ordinal);
         Assert.Contains("  1 Actor1 front", captions, StringComparison.Ordinal);
 
-        // The last one comes into view when it is selected, in the drawing and in the table.
+        // The last avatar comes into view when it is selected, in the drawing and in the table.
         state.SelectNextAvatar();
         state.SelectNextAvatar();
         string[] lines = Draw(state, width, height);

@@ -20,7 +20,7 @@ public sealed class DashboardLayoutTests
         }
     }
 
-    // Also where the columns that are not essential have no room.
+    // Also without room for the optional columns.
     [Theory]
     [InlineData(60, 16)]
     [InlineData(71, 20)]
@@ -33,7 +33,7 @@ public sealed class DashboardLayoutTests
             Assert.Contains(part, text, StringComparison.Ordinal);
     }
 
-    // The sentences of the library that are longest; the setting to change stands at their end.
+    // The longest sentences of the library. The setting to change is at their end.
     [Theory]
     [InlineData(40, 12)]
     [InlineData(50, 15)]
@@ -113,7 +113,7 @@ public sealed class DashboardLayoutTests
             Assert.Contains(sentence, text, StringComparison.Ordinal);
     }
 
-    // The demo's or a server's sentence: an ellipsis would hide what the order comes from.
+    // The sentence of the demo or a server. An ellipsis would hide the origin of the order.
     [Theory]
     [InlineData(40, 12)]
     [InlineData(50, 20)]

@@ -7,7 +7,7 @@ using Spectre.Console;
 
 namespace NeuronMocap.Tool.Tests.Watch.Live;
 
-/// <summary>States of the live view, and what they look like.</summary>
+/// <summary>States of the live view, and their look.</summary>
 internal static partial class DashboardScreen
 {
     public static readonly ConnectionStatus Receiving = new(ConnectionState.Receiving, ConnectionReason.None, "Receiving from studio:7001.");
@@ -76,7 +76,7 @@ internal static partial class DashboardScreen
         return text.ToString().TrimEnd('\n').Split('\n');
     }
 
-    // The words in their order, without borders and line ends.
+    // The words in order, without borders and line ends.
     public static string Words(string[] lines) => Spaces().Replace(string.Join(' ', lines.Select(static line => line.Trim('┃', ' '))), " ");
 
     public static string WithoutColours(string text) => Escape().Replace(text, string.Empty);

@@ -57,11 +57,11 @@ public sealed class DashboardTests
         foreach (string part in (string[])["RECORDING FAILED: the disk is full.", "EXPORT FAILED: the disk is full.", "Receiving from studio:7001."])
             Assert.Contains(part, text, StringComparison.Ordinal);
 
-        // In the events as well, with their time.
+        // Also in the events, with their time.
         Assert.Equal(2, lines.Count(static line => line.Contains("● ", StringComparison.Ordinal) && line.Contains(" failed: the disk", StringComparison.Ordinal)));
     }
 
-    // The sentence above that line says where the order is from.
+    // The sentence above that line names the origin of the order.
     [Fact]
     public void The_stream_line_does_not_contradict_the_command_channel()
     {

@@ -34,7 +34,7 @@ public sealed class LiveViewProcessTests : IDisposable
         terminal.Press("q");
         Assert.Equal(0, await terminal.WaitForExitAsync());
 
-        // The terminal is back, and then comes what each recording has become.
+        // The terminal is restored, and then the result of each recording follows.
         string end = terminal.Text[terminal.Text.LastIndexOf("\e[?1049l", StringComparison.Ordinal)..];
         Assert.Equal(2, end.Split("neuron-mocap: recorded ").Length - 1);
         Assert.Equal(["take-2.nmrec", "take.nmrec"], _folder.Names, StringComparer.Ordinal);

@@ -31,7 +31,7 @@ public sealed class TakeRecorderTests : IDisposable
         string told = TakeRecorder.DescribeEnd(takes.Takes[0], atEnd);
         Assert.Matches("^Recorded .+, [0-9,]+ frames, [0-9.]+ [kM]?B to .*take\\.nmrec\\.$", told);
 
-        // The option that lets --record replace a file does not let the key replace the one that it made.
+        // The option that allows --record to replace a file does not allow the key to replace the file that --record created.
         Assert.Null(takes.Begin(DateTime.Now));
         Assert.Equal(_folder["take-2.nmrec"], takes.Current?.Recorder.CurrentPath);
         await EndAfterFramesAsync(takes);

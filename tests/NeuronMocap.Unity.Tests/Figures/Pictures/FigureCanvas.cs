@@ -1,12 +1,12 @@
 namespace NeuronMocap.Unity.Tests.Figures.Pictures;
 
 /// <summary>
-/// Draws skinned meshes as a renderer of triangles does: bones and weights, two colours, a sun, a sky, shadows on the ground. It shows shapes and poses;
-/// it is not Unity's renderer.
+/// Draws skinned meshes as a triangle renderer does: bones and weights, two colours, a sun, a sky, shadows on the ground. It shows shapes and poses.
+/// It is not Unity's renderer.
 /// </summary>
 internal sealed class FigureCanvas
 {
-    // Along each side of a pixel.
+    // Samples along each side of a pixel.
     private const int Samples = 3;
 
     private static readonly Vector3 Sun = new Vector3(0.45f, 0.9f, 0.5f).normalized;
@@ -31,12 +31,12 @@ internal sealed class FigureCanvas
 
     public int Height { get; }
 
-    /// <summary>Draws a figure as seen from a direction.</summary>
-    /// <param name="renderer">What is drawn, posed by its bones.</param>
-    /// <param name="ground">The place on the ground that the picture is around.</param>
-    /// <param name="view">From the ground towards the eye.</param>
-    /// <param name="at">Where on the picture that place is; pixels.</param>
-    /// <param name="scale">Pixels for a metre.</param>
+    /// <summary>Draws a figure from a direction.</summary>
+    /// <param name="renderer">The renderer to draw, posed by its bones.</param>
+    /// <param name="ground">The place on the ground at the centre of the picture.</param>
+    /// <param name="view">The direction from the ground to the eye.</param>
+    /// <param name="at">The position of that place on the picture, in pixels.</param>
+    /// <param name="scale">Pixels for each metre.</param>
     public void Draw(SkinnedMeshRenderer renderer, Vector3 ground, Vector3 view, Vector2 at, float scale)
     {
         view = view.normalized;
@@ -73,7 +73,7 @@ internal sealed class FigureCanvas
         }
     }
 
-    /// <summary>Red, green and blue of every pixel, row by row.</summary>
+    /// <summary>Returns red, green and blue of every pixel, row by row.</summary>
     public byte[] ToPixels()
     {
         var pixels = new byte[3 * Width * Height];
@@ -117,7 +117,7 @@ internal sealed class FigureCanvas
         return new Color(Mathf.Clamp01(lit.r), Mathf.Clamp01(lit.g), Mathf.Clamp01(lit.b));
     }
 
-    // Both sides, whatever way its corners run: which side is shown is another test's.
+    // Fills both sides, whatever the direction of the corners. Another test checks which side is shown.
     private void FillTriangle(Vector3 a, Vector3 b, Vector3 c, int triangle, Func<int, float, float, Color> shade, float? depth)
     {
         float area = ((b.x - a.x) * (c.y - a.y)) - ((b.y - a.y) * (c.x - a.x));

@@ -5,8 +5,8 @@ using NeuronMocap.Unity.Tests.Infrastructure;
 namespace NeuronMocap.Unity.Tests.Figures.Pictures;
 
 /// <summary>
-/// The picture of the figure that Quick start builds: its real mesh, in poses of the simulator that came over loopback and through a driver.
-/// NEURONMOCAP_UPDATE_PICTURES=1 writes the file anew.
+/// Draws the figure of Quick start: its real mesh, in poses of the simulator that came over loopback and through a driver.
+/// NEURONMOCAP_UPDATE_PICTURES=1 rewrites the file.
 /// </summary>
 public sealed class FigurePictureTests : IDisposable
 {
@@ -14,7 +14,7 @@ public sealed class FigurePictureTests : IDisposable
     private const int Height = 520;
     private const float PixelsPerMetre = 265;
 
-    // Where the eye is, in degrees round the figure from its front.
+    // The position of the eye, in degrees around the figure from its front.
     private static readonly (double Seconds, float Degrees, int X)[] Views = [(-1, -15, 250), (2, 35, 580), (5, -20, 830), (8, 150, 1070)];
 
     private static readonly string Picture = Path.Combine(Repository.Root, "unity-package", "Documentation~", "images", "figure.png");
@@ -67,12 +67,12 @@ public sealed class FigurePictureTests : IDisposable
         byte[] kept = PngFile.Read(Picture, out int width, out int height);
         Assert.Equal((canvas.Width, canvas.Height), (width, height));
 
-        // Edges may fall otherwise on another processor; a shape that changed is more than that.
+        // Edges may differ slightly on another processor. A changed shape differs more.
         int different = drawn.Zip(kept).Count(static pair => Math.Abs(pair.First - pair.Second) > 24);
-        Assert.True(different < drawn.Length / 1000, $"{different} of {drawn.Length} values differ: look at the figure, and write the picture anew.");
+        Assert.True(different < drawn.Length / 1000, $"{different} of {drawn.Length} values differ: check the figure, and write the picture again.");
     }
 
-    // A moment of the simulator's programme, for ever; before it begins, the T-pose.
+    // A fixed moment of the simulator's programme. Before the programme starts, it is the T-pose.
     private sealed class StillActor(double seconds) : MotionSource
     {
         private readonly SyntheticSource _actor = new();

@@ -4,7 +4,7 @@ using System.Text;
 
 namespace NeuronMocap.Unity.Tests.Figures.Pictures;
 
-/// <summary>Just enough PNG for pictures of our own: red, green and blue, a byte each, every row as differences to the pixel before.</summary>
+/// <summary>A minimal PNG for our own pictures: red, green and blue, a byte each, every row as differences to the previous pixel.</summary>
 internal static class PngFile
 {
     private const int Channels = 3;
@@ -44,7 +44,7 @@ internal static class PngFile
         WriteChunk(file, "IEND", []);
     }
 
-    /// <summary>Reads a file that <see cref="Write"/> made.</summary>
+    /// <summary>Reads a file written by <see cref="Write"/>.</summary>
     public static byte[] Read(string path, out int width, out int height)
     {
         ReadOnlySpan<byte> file = File.ReadAllBytes(path);

@@ -4,12 +4,12 @@ using NeuronMocap.Skeleton;
 
 namespace NeuronMocap.Tests.Server.Sources;
 
-// What tests measure on poses: places in the world, and angles that stay exact where they are small.
+// Measurements of poses: positions in the world, and angles that are exact even when small.
 internal static class ActorMeasures
 {
     public const int LapSeconds = 40;
 
-    // Tip of the toes (the End Site), below the ankle, and the back of the heel; in the foot's axes, centimetres.
+    // Tip of the toes (the End Site), the point below the ankle, and the back of the heel, in the foot's axes, in centimetres.
     private static readonly Vector3[] SolePoints = [new(0, -10, 15.75f), new(0, -10, 0), new(0, -10, -5)];
 
     public static BoneTransform[] GetPose(MotionSource source, long frame)

@@ -5,7 +5,7 @@ using NeuronMocap.Skeleton;
 
 namespace NeuronMocap.Tests.Server.Sources;
 
-// Writes BVH files of the 59 bones in the default body: rotation channels Y X Z, positions for the hips alone.
+// Writes BVH files of the 59 bones in the default body: rotation channels Y X Z, positions only for the hips.
 internal static class NeuronTake
 {
     public static byte[] Write(int rows) => Write(rows, static (row, bone) => new Vector3(row * 7 % 50, (int)bone % 40, row - (int)bone));

@@ -54,7 +54,7 @@ public class EditorApplication
 
     public static bool ExecuteMenuItem(string menuItemPath) => MenuItems.Execute(menuItemPath);
 
-    /// <summary>One turn of the editor's own loop: delayed calls, then update.</summary>
+    /// <summary>Runs one turn of the editor's own loop: delayed calls, then update.</summary>
     internal static void Tick(double seconds)
     {
         _time += seconds;
@@ -126,12 +126,12 @@ public class EditorApplication
         Selection.Forget();
     }
 
-    /// <summary>What the editor runs when it starts and after each reload of scripts.</summary>
+    /// <summary>Runs the code that the editor runs when it starts and after each reload of scripts.</summary>
     internal static void InitializeOnLoad()
     {
         foreach (Type type in ScriptStatics.Assemblies.SelectMany(static assembly => assembly.GetTypes()))
         {
-            // A reload has run the initialisers of statics already; the first start has not.
+            // A reload has already run the static initialisers. The first start has not.
             if (type.IsDefined(typeof(InitializeOnLoadAttribute), inherit: false))
                 System.Runtime.CompilerServices.RuntimeHelpers.RunClassConstructor(type.TypeHandle);
 

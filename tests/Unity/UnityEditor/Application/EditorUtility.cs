@@ -2,10 +2,10 @@ namespace UnityEditor;
 
 public static class EditorUtility
 {
-    /// <summary>For tests: what the user chooses in the next file dialog; empty for Cancel.</summary>
+    /// <summary>For tests: the user's choice in the next file dialog. Empty for Cancel.</summary>
     public static string NextFile { get; set; } = "";
 
-    /// <summary>For tests: what was shown in the system's file manager.</summary>
+    /// <summary>For tests: the paths shown in the system's file manager.</summary>
     public static List<string> Revealed { get; } = [];
 
     public static bool IsPersistent(UnityEngine.Object target) => AssetDatabase.Contains(target);

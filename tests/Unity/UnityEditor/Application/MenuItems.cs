@@ -9,7 +9,7 @@ internal static class MenuItems
 {
     public static IReadOnlyList<string> Paths => [.. Find().Where(static item => !item.Entry.validate).Select(static item => item.Entry.menuItem)];
 
-    /// <returns>False when there is none, or its check says that it cannot be used now.</returns>
+    /// <returns>False if the item does not exist, or if its validation disables it.</returns>
     public static bool Execute(string path, Object? context = null)
     {
         (MenuItem Entry, MethodInfo Method)[] found = [.. Find().Where(item => item.Entry.menuItem == path)];

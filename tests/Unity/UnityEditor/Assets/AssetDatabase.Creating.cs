@@ -1,13 +1,13 @@
 namespace UnityEditor;
 
-// Files and folders that scripts make.
+// Files and folders created by scripts.
 public static partial class AssetDatabase
 {
     private static readonly HashSet<string> Folders = ["Assets"];
 
     public static bool IsValidFolder(string path) => Folders.Contains(path);
 
-    /// <returns>A GUID, or nothing when the parent is not there.</returns>
+    /// <returns>A GUID, or an empty string if the parent does not exist.</returns>
     public static string CreateFolder(string parentFolder, string newFolderName)
     {
         if (!Folders.Contains(parentFolder) || newFolderName.Contains('/', StringComparison.Ordinal))

@@ -1,11 +1,11 @@
 namespace UnityEditor;
 
-/// <summary>The project's assets: what tests put there.</summary>
+/// <summary>The project's assets, as added by tests.</summary>
 public static partial class AssetDatabase
 {
     private static readonly Dictionary<string, List<UnityEngine.Object>> Files = [];
 
-    /// <summary>For tests: puts the objects of a file into the project.</summary>
+    /// <summary>For tests: adds the objects of a file to the project.</summary>
     public static void Add(string path, params UnityEngine.Object[] objects) => Files[path] = [.. objects];
 
     public static bool Contains(UnityEngine.Object obj) => GetAssetPath(obj).Length > 0;

@@ -6,14 +6,14 @@ public class AssetImporter : UnityEngine.Object
 
     public string assetPath { get; private set; } = "";
 
-    /// <summary>For tests: how often SaveAndReimport was called, and what it does.</summary>
+    /// <summary>For tests: the number of calls to SaveAndReimport, and its effect.</summary>
     public int Imports { get; private set; }
 
     public Action? Imported { get; set; }
 
     public static AssetImporter? GetAtPath(string path) => Importers.TryGetValue(path, out AssetImporter? found) ? found : null;
 
-    /// <summary>For tests: gives a file of the project an importer.</summary>
+    /// <summary>For tests: adds an importer for a file of the project.</summary>
     public static T Add<T>(string path, T importer)
         where T : AssetImporter
     {

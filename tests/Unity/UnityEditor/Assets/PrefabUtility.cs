@@ -2,7 +2,7 @@ namespace UnityEditor;
 
 public static class PrefabUtility
 {
-    /// <summary>Without prefab instances there is nothing to keep.</summary>
+    /// <summary>Does nothing, because there are no prefab instances.</summary>
     public static void RecordPrefabInstancePropertyModifications(UnityEngine.Object targetObject)
     {
     }

@@ -19,10 +19,10 @@ public class Editor : ScriptableObject
 
     public SerializedObject serializedObject { get; }
 
-    /// <summary>For tests: how often a repaint was asked for.</summary>
+    /// <summary>For tests: the number of requested repaints.</summary>
     public int Repaints { get; private set; }
 
-    /// <summary>The inspector of an object, found as Unity finds it: by [CustomEditor], else the plain one.</summary>
+    /// <summary>Creates the inspector of an object, found as in Unity: by [CustomEditor], or else the default one.</summary>
     public static Editor CreateEditor(UnityEngine.Object targetObject) => CreateEditor([targetObject]);
 
     public static Editor CreateEditor(UnityEngine.Object[] targetObjects)

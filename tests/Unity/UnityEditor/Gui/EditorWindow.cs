@@ -12,7 +12,7 @@ public class EditorWindow : ScriptableObject
 
     public Rect position { get; set; } = new(0, 0, 400, 600);
 
-    /// <summary>For tests: how often a repaint was asked for.</summary>
+    /// <summary>For tests: the number of requested repaints.</summary>
     public int Repaints { get; private set; }
 
     public static T GetWindow<T>()

@@ -23,7 +23,7 @@ internal static class SerializedFields
         }
     }
 
-    /// <summary>As the inspector writes a field's name: "_commandPort" is "Command Port".</summary>
+    /// <summary>Converts a field's name as the inspector does: "_commandPort" becomes "Command Port".</summary>
     public static string Nicify(string name)
     {
         string bare = name.StartsWith("m_", StringComparison.Ordinal) ? name[2..] : name.TrimStart('_');

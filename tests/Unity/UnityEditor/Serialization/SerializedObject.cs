@@ -3,7 +3,7 @@ using UnityEngine;
 
 namespace UnityEditor;
 
-/// <summary>A copy of the serialised fields of one or several objects, which writes back what was changed, with Undo.</summary>
+/// <summary>A copy of the serialised fields of one or several objects. It writes changes back, with Undo.</summary>
 public sealed class SerializedObject : IDisposable
 {
     private readonly Dictionary<string, SerializedProperty> _properties = [];
@@ -40,7 +40,7 @@ public sealed class SerializedObject : IDisposable
         if (_properties.TryGetValue(propertyPath, out SerializedProperty? known))
             return known;
 
-        // Null where there is none, as in Unity; its signature does not say so.
+        // Null if the field does not exist, as in Unity, although the signature does not say so.
         FieldInfo? field = SerializedFields.Find(targetObject.GetType(), propertyPath);
         if (field is null)
             return null!;

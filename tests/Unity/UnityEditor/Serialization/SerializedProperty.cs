@@ -7,7 +7,7 @@ namespace UnityEditor;
 
 public sealed class SerializedProperty
 {
-    // An iterator goes from one to the next of these; before the first it is none.
+    // An iterator moves from one of these to the next. Before the first, it refers to none.
     private readonly IReadOnlyList<SerializedProperty>? _all;
     private int _at = -1;
     private FieldInfo _field;
@@ -122,7 +122,7 @@ public sealed class SerializedProperty
         (IsModified, hasMultipleDifferentValues) = (false, false);
     }
 
-    /// <summary>What a person types: ranges and lower bounds hold, as in the inspector.</summary>
+    /// <summary>Sets a value as if typed: ranges and lower bounds apply, as in the inspector.</summary>
     internal void SetShown(object? value)
     {
         if (value is IConvertible number and not string and not Enum && _field.GetCustomAttribute<RangeAttribute>() is { } range)

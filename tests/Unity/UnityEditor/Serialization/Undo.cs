@@ -3,7 +3,7 @@ using UnityEngine;
 
 namespace UnityEditor;
 
-/// <summary>Keeps how things were, in groups; PerformUndo takes the newest group back.</summary>
+/// <summary>Keeps previous states in groups. PerformUndo restores the newest group.</summary>
 public static class Undo
 {
     private static readonly List<(int Group, string Name, Action Back)> Steps = [];
@@ -12,10 +12,10 @@ public static class Undo
 
     public delegate void UndoRedoCallback();
 
-    // A field in Unity; used in the same way.
+    // A field in Unity, with the same usage.
     public static event UndoRedoCallback? undoRedoPerformed;
 
-    /// <summary>For tests: the names of the steps that can be taken back, the oldest first.</summary>
+    /// <summary>For tests: the names of the steps that can be undone, the oldest first.</summary>
     public static IReadOnlyList<string> Names => [.. Steps.Select(static step => step.Name)];
 
     public static int GetCurrentGroup() => _group;
@@ -24,7 +24,7 @@ public static class Undo
 
     public static string GetCurrentGroupName() => _groupName;
 
-    // In the editor every event of the user begins a new group.
+    // In the editor, every event of the user starts a new group.
     public static void IncrementCurrentGroup() => _group++;
 
     public static void CollapseUndoOperations(int groupIndex)

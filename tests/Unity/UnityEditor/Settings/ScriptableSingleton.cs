@@ -5,7 +5,9 @@ using UnityEngine.StandIn;
 
 namespace UnityEditor;
 
-/// <summary>One object for the project, read from its file when it is first asked for. The file here has a line for each field, and is not Unity's YAML.</summary>
+/// <summary>
+/// One object for the project, read from its file on first use. Here, the file has a line for each field and is not Unity's YAML.
+/// </summary>
 public class ScriptableSingleton<T> : ScriptableObject
     where T : ScriptableObject
 {
@@ -13,7 +15,7 @@ public class ScriptableSingleton<T> : ScriptableObject
 
     public static T instance => _instance != null ? _instance : _instance = Load();
 
-    /// <summary>For tests: the next one is read from the file, as after a restart.</summary>
+    /// <summary>For tests: the next object is read from the file, as after a restart.</summary>
     public static void Forget() => _instance = null;
 
     protected static string GetFilePath() =>

@@ -20,7 +20,7 @@ public sealed class AnimationClip : Motion
 
     internal Dictionary<(string Path, Type Type, string Property), AnimationCurve> Curves { get; } = [];
 
-    /// <summary>At run time Unity takes curves of legacy clips only.</summary>
+    /// <summary>At run time, Unity accepts curves only for legacy clips.</summary>
     public void SetCurve(string relativePath, Type type, string propertyName, AnimationCurve? curve)
     {
         if (!legacy && StandIn.World.IsPlaying)

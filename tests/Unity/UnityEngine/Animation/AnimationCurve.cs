@@ -39,7 +39,7 @@ public class AnimationCurve
 
     public int AddKey(float time, float value) => AddKey(new Keyframe(time, value));
 
-    /// <returns>Where the key is now, or -1 when there is one at that time already.</returns>
+    /// <returns>The index of the key, or -1 if there is already a key at that time.</returns>
     public int AddKey(Keyframe key)
     {
         int index = _keys.FindIndex(other => other.time >= key.time);
@@ -61,7 +61,7 @@ public class AnimationCurve
 
     public void RemoveKey(int index) => _keys.RemoveAt(index);
 
-    /// <summary>Hermite between two keys, the ends' values outside.</summary>
+    /// <summary>Hermite interpolation between two keys. Outside, it returns the values of the ends.</summary>
     public float Evaluate(float time)
     {
         if (_keys.Count == 0)

@@ -60,7 +60,7 @@ public class Animator : Behaviour
 
     public float rightFeetBottomHeight => 0.08f;
 
-    /// <summary>What a controller does between Update and LateUpdate: writes all that it animates.</summary>
+    /// <summary>The work of a controller between Update and LateUpdate: it writes everything that it animates.</summary>
     internal Action? Animating
     {
         get;
@@ -76,8 +76,8 @@ public class Animator : Behaviour
 
     private HumanBones? Bones => _bones ??= _avatar is { isHuman: true, isValid: true } ? new HumanBones(_avatar, transform) : null;
 
-    /// <returns>Null for what is not mapped.</returns>
-    /// <exception cref="InvalidOperationException">The avatar is none, or not human.</exception>
+    /// <returns>The transform, or null if the bone is not mapped.</returns>
+    /// <exception cref="InvalidOperationException">The avatar is null or not human.</exception>
     public Transform? GetBoneTransform(HumanBodyBones humanBoneId)
     {
         Check();
@@ -90,7 +90,7 @@ public class Animator : Behaviour
         if (!_avatar.isValid || !_avatar.isHuman)
             throw new InvalidOperationException("Avatar is not valid or not of type humanoid.");
 
-        // An Animator finds its bones when its object is first active.
+        // An Animator finds its bones when its object first becomes active.
         _isFound |= gameObject.activeInHierarchy || gameObject.IsAsset;
         if (!_isFound)
             return null;

@@ -4,7 +4,7 @@ namespace UnityEngine;
 
 public class AvatarBuilder
 {
-    /// <summary>Never null: an avatar that is not valid says why in the log.</summary>
+    /// <summary>Never returns null. If an avatar is not valid, the log says why.</summary>
     public static Avatar BuildHumanAvatar(GameObject go, HumanDescription humanDescription)
     {
         go.Check();

@@ -1,12 +1,12 @@
 namespace UnityEngine.StandIn;
 
 /// <summary>
-/// What an avatar must be made of. Unity refuses some of it with a message and silently makes a wrong avatar of the rest; here all of it is refused,
-/// so that a wrong recipe does not pass.
+/// The requirements for an avatar. Unity rejects some faults with a message and silently creates a wrong avatar for others. Here all faults are
+/// rejected, so that a wrong description fails.
 /// </summary>
 internal static class AvatarRules
 {
-    // An arm of a T-pose may hang by this much before Unity's own check calls it a wrong pose.
+    // In degrees. An arm of a T-pose may hang by this much before Unity's own check reports a wrong pose.
     private const float Tolerance = 15;
 
     public static List<string> Find(Transform root, HumanDescription description)
@@ -62,7 +62,7 @@ internal static class AvatarRules
         if (bone.scale == Vector3.zero || Mathf.Abs(Quaternion.Dot(bone.rotation, bone.rotation) - 1) > 1e-3f)
             faults.Add($"'{bone.name}' has no scale or no unit rotation");
 
-        // Unity reads the live hierarchy as well: both must say the same.
+        // Unity also reads the live hierarchy. Both must agree.
         if (transform != root && ((transform.localPosition - bone.position).magnitude > 1e-3f || Quaternion.Angle(transform.localRotation, bone.rotation) > 0.5f))
             faults.Add($"'{bone.name}' does not stand as the skeleton says");
     }
@@ -75,7 +75,7 @@ internal static class AvatarRules
         {
             int index = Array.IndexOf(HumanTrait.BoneName, bone.humanName);
             if (index < 0)
-                faults.Add($"'{bone.humanName}' is no human bone");
+                faults.Add($"'{bone.humanName}' is not a human bone");
             else if (!transforms.TryGetValue(bone.boneName, out Transform? transform))
                 faults.Add($"transform '{bone.boneName}' for human bone '{bone.humanName}' not found");
             else if (!mapped.TryAdd((HumanBodyBones)index, transform))
@@ -120,7 +120,7 @@ internal static class AvatarRules
         }
     }
 
-    // Arms to the sides, legs down, spine up, left on the left of somebody who looks along +z.
+    // Arms to the sides, legs down, spine up, and left on the left side of a figure that faces +z.
     private static void CheckPose(Dictionary<HumanBodyBones, Transform> mapped, Transform root, List<string> faults)
     {
         Along(HumanBodyBones.LeftUpperArm, HumanBodyBones.LeftHand, Vector3.left);

@@ -1,6 +1,6 @@
 namespace UnityEngine.StandIn;
 
-/// <summary>The transforms below a root that an avatar maps, and how they stood when it was made.</summary>
+/// <summary>The transforms below a root that an avatar maps, and their pose when it was created.</summary>
 internal sealed class HumanBones
 {
     private readonly Transform?[] _bones = new Transform?[(int)HumanBodyBones.LastBone];
@@ -24,7 +24,7 @@ internal sealed class HumanBones
         HipsHeight = MeasureHips(description, skeleton);
     }
 
-    /// <summary>Metres above the root in the T-pose: what <see cref="Animator.humanScale"/> is made of.</summary>
+    /// <summary>Metres above the root in the T-pose. <see cref="Animator.humanScale"/> is derived from it.</summary>
     public float HipsHeight { get; }
 
     public Transform? Get(HumanBodyBones bone) => _bones[(int)bone];

@@ -1,8 +1,8 @@
 namespace UnityEngine;
 
 /// <summary>
-/// The limits of what is known outside the editor: the body is the hips' place and turn over the height of the hips, each muscle an angle of the
-/// bone's own axes. A pose that was got and set again is the same; muscle values are not Unity's.
+/// Covers what is known outside the editor. The body is the position and rotation of the hips, divided by the height of the hips. Each muscle is an
+/// angle about one of the bone's own axes. A pose that is read and written again stays the same. Muscle values differ from Unity's.
 /// </summary>
 public sealed class HumanPoseHandler : IDisposable
 {

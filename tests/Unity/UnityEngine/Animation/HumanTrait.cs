@@ -13,7 +13,7 @@ public static class HumanTrait
         HumanBodyBones.LeftFoot, HumanBodyBones.RightFoot,
     ];
 
-    /// <summary>As the enumeration, with spaces in the names of finger bones only: "Left Index Proximal".</summary>
+    /// <summary>The names of the enumeration, with spaces only in names of finger bones: "Left Index Proximal".</summary>
     public static string[] BoneName { get; } = [.. Enumerable.Range(0, BoneCount).Select(static bone => Spell((HumanBodyBones)bone))];
 
     public static string[] MuscleName { get; } = [.. MuscleNames.All];
@@ -26,7 +26,7 @@ public static class HumanTrait
 
     public static bool RequiredBone(int i) => _required.Contains((HumanBodyBones)i);
 
-    /// <returns>The bone above in Unity's humanoid, optional ones included; -1 for the hips.</returns>
+    /// <returns>The parent in Unity's humanoid, including optional bones. -1 for the hips.</returns>
     public static int GetParentBone(int i)
     {
         var bone = (HumanBodyBones)i;

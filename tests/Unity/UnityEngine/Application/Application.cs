@@ -79,7 +79,7 @@ public static class Application
             logMessageReceived?.Invoke(entry.Message, stack, entry.Type);
     }
 
-    /// <summary>Nobody listens any more, as after a domain reload.</summary>
+    /// <summary>Removes all listeners, as a domain reload does.</summary>
     internal static void ForgetListeners() =>
         (quitting, wantsToQuit, focusChanged, logMessageReceived, logMessageReceivedThreaded) = (null, null, null, null, null);
 

@@ -3,7 +3,7 @@ using UnityEngine.StandIn;
 
 namespace UnityEngine;
 
-/// <summary>Where a script goes on after an await: on the main thread, in the next frame.</summary>
+/// <summary>Continues a script after an await on the main thread, in the next frame.</summary>
 internal sealed class UnitySynchronizationContext : SynchronizationContext
 {
     private readonly ConcurrentQueue<(SendOrPostCallback Callback, object? State)> _posted = new();
@@ -26,6 +26,6 @@ internal sealed class UnitySynchronizationContext : SynchronizationContext
             Run(item.Callback, item.State);
     }
 
-    // On its own: what the lambda captures is allocated when there is something to run, not in every frame.
+    // In its own method, so that the captured variables are allocated only when there is something to run, not in every frame.
     private static void Run(SendOrPostCallback callback, object? state) => ScriptCallbacks.Run(() => callback(state), null!);
 }

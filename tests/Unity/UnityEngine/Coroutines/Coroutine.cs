@@ -51,7 +51,7 @@ public sealed class Coroutine : YieldInstruction
 
             if (!isMore)
             {
-                // Stopped by itself meanwhile: nothing is left to leave.
+                // It stopped itself in the meantime, so nothing is left to leave.
                 if (_nested.Count > 0)
                     _nested.Pop();
             }

@@ -2,7 +2,7 @@ using System.Reflection;
 
 namespace UnityEngine.StandIn;
 
-/// <summary>Copies of objects with all below them, as Instantiate makes them.</summary>
+/// <summary>Copies objects with all their descendants, like Instantiate.</summary>
 internal static class Cloning
 {
     public static T Clone<T>(T original, Action<Transform>? place, Action<GameObject> prepare)
@@ -32,7 +32,7 @@ internal static class Cloning
         return (T)copies[original];
     }
 
-    /// <summary>Awake and OnEnable in the order of execution, as when a scene is loaded.</summary>
+    /// <summary>Calls Awake and OnEnable in execution order, as when a scene is loaded.</summary>
     public static void Wake(IEnumerable<MonoBehaviour> scripts)
     {
         foreach (MonoBehaviour script in scripts.OrderBy(static script => script.State.Order).ToArray())
@@ -52,7 +52,7 @@ internal static class Cloning
 
     private static GameObject CloneTree(GameObject source, Dictionary<Object, Object> copies)
     {
-        // Inactive until all is in place: no script may run before.
+        // Inactive until everything is in place, because no script may run before.
         var copy = new GameObject(source.name) { layer = source.layer, tag = source.tag };
         copy.SetActiveQuietly(false);
         copies.Add(source, copy);
@@ -67,7 +67,7 @@ internal static class Cloning
         return copy;
     }
 
-    // Scripts: what Unity keeps. Parts of the engine: all that they hold, but for who they are and where.
+    // For scripts, copies the fields that Unity serialises. For engine components, copies everything except identity and location.
     private static void CopyComponent(Object from, Object to, Func<Object, Object> map)
     {
         for (Type? type = from.GetType(); type is not null && type != typeof(Component) && type != typeof(Object); type = type.BaseType)

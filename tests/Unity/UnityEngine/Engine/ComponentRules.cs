@@ -2,7 +2,7 @@ using System.Reflection;
 
 namespace UnityEngine.StandIn;
 
-/// <summary>What attributes of component types ask for.</summary>
+/// <summary>The requirements of attributes on component types.</summary>
 internal static class ComponentRules
 {
     public static IEnumerable<Type> GetRequired(Type type) => type

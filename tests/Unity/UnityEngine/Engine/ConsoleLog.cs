@@ -1,6 +1,6 @@
 namespace UnityEngine.StandIn;
 
-/// <summary>What was logged, from any thread.</summary>
+/// <summary>All log entries, from any thread.</summary>
 internal static class ConsoleLog
 {
     private static readonly List<LogEntry> _entries = [];
@@ -14,7 +14,7 @@ internal static class ConsoleLog
         }
     }
 
-    /// <summary>Warnings and worse that no test has asked for.</summary>
+    /// <summary>Warnings and errors that no test expects.</summary>
     public static IEnumerable<LogEntry> Problems => Entries.Where(static entry => entry.Type is not LogType.Log);
 
     public static void Add(LogType type, object? message, Object? context)

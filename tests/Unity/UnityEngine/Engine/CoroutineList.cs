@@ -32,7 +32,7 @@ internal sealed class CoroutineList(MonoBehaviour script)
         _running.Clear();
     }
 
-    /// <summary>Goes on with those that wait for this moment of the frame.</summary>
+    /// <summary>Continues the coroutines that wait for this moment of the frame.</summary>
     public void Run(FrameMoment moment)
     {
         if (_running.Count == 0)
@@ -48,7 +48,7 @@ internal sealed class CoroutineList(MonoBehaviour script)
         Sweep();
     }
 
-    // Only here: elsewhere somebody may be going through the list.
+    // Only here, because elsewhere a caller may be iterating the list.
     private void Sweep()
     {
         for (int i = _running.Count - 1; i >= 0; i--)
@@ -59,7 +59,7 @@ internal sealed class CoroutineList(MonoBehaviour script)
     }
 }
 
-/// <summary>The moments of a frame at which coroutines go on.</summary>
+/// <summary>Specifies the moments of a frame at which coroutines continue.</summary>
 internal enum FrameMoment
 {
     AfterFixedUpdate,

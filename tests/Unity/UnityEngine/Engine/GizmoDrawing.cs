@@ -1,6 +1,6 @@
 namespace UnityEngine.StandIn;
 
-/// <summary>Asks scripts for what the scene view shows of them.</summary>
+/// <summary>Asks scripts for their gizmos in the scene view.</summary>
 internal static class GizmoDrawing
 {
     public static void Draw(GameObject? selected)

@@ -1,6 +1,6 @@
 namespace UnityEngine.StandIn;
 
-/// <summary>What Gizmos, Handles and Debug drew since the frame began, in world coordinates.</summary>
+/// <summary>The output of Gizmos, Handles and Debug since the start of the frame, in world coordinates.</summary>
 internal static class GizmoLog
 {
     private static readonly List<GizmoCall> _calls = [];
@@ -22,7 +22,7 @@ internal readonly struct GizmoCall(string shape, Color color, Vector3 from, Vect
 
     public Vector3 From { get; } = from;
 
-    /// <summary>The other end of a line; elsewhere the size of a box, or the same place again.</summary>
+    /// <summary>The other end of a line. For a box, its size. Otherwise the same position.</summary>
     public Vector3 To { get; } = to;
 
     /// <summary>The radius of a sphere.</summary>

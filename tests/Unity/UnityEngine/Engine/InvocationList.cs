@@ -1,6 +1,6 @@
 namespace UnityEngine.StandIn;
 
-/// <summary>What <see cref="MonoBehaviour.Invoke"/> put off.</summary>
+/// <summary>The calls delayed by <see cref="MonoBehaviour.Invoke"/>.</summary>
 internal sealed class InvocationList(MonoBehaviour script)
 {
     private readonly List<(string Method, float Time, float Interval)> _pending = [];

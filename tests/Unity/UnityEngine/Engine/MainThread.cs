@@ -1,6 +1,6 @@
 namespace UnityEngine.StandIn;
 
-/// <summary>The one thread that may touch Unity's objects: the one that made the player loop, or that ran its last frame.</summary>
+/// <summary>The only thread that may use Unity's objects: the thread that created the player loop, or ran its last frame.</summary>
 internal static class MainThread
 {
     private static int _id = Environment.CurrentManagedThreadId;

@@ -3,17 +3,17 @@ using UnityEngine.SceneManagement;
 
 namespace UnityEngine.StandIn;
 
-/// <summary>Entering and leaving play mode, and reloading scripts, in the editor's order of steps.</summary>
+/// <summary>Enters and leaves play mode, and reloads scripts, in the editor's order of steps.</summary>
 internal static class PlayMode
 {
     private static readonly List<GameObject> _backup = [];
 
-    /// <summary>Where the stand-in of the editor hears of the steps.</summary>
+    /// <summary>Notifies the editor's stand-in of the steps.</summary>
     public static event Action<PlayModeStep>? Changed;
 
     public static PlayerLoop? Loop { get; set; }
 
-    /// <summary>What a script of the editor has asked for: it comes at the end of the frame.</summary>
+    /// <summary>The state requested by an editor script. It takes effect at the end of the frame.</summary>
     public static bool? RequestedState { get; set; }
 
     public static void Follow()
@@ -28,7 +28,7 @@ internal static class PlayMode
             Exit();
     }
 
-    /// <summary>A new project, with scripts that have just been loaded.</summary>
+    /// <summary>Starts a new project, with scripts that have just been loaded.</summary>
     public static void Start(bool play)
     {
         ScriptStatics.Reset();
@@ -128,7 +128,7 @@ internal static class PlayMode
 
     private static void Raise(PlayModeStep step) => Changed?.Invoke(step);
 
-    // The scene as it stood: it is put aside as assets and comes back from them.
+    // Keeps the scene as assets, and restores it from them.
     private static void BackUp()
     {
         _backup.Clear();
@@ -169,9 +169,9 @@ internal enum PlayModeStep
     BeforeAssemblyReload,
     AfterAssemblyReload,
 
-    /// <summary>All handlers go, as the scripts that registered them do.</summary>
+    /// <summary>All handlers are removed, like the scripts that registered them.</summary>
     Forgotten,
 
-    /// <summary>The new scripts are there: [InitializeOnLoad] runs.</summary>
+    /// <summary>The new scripts are loaded: [InitializeOnLoad] runs.</summary>
     Loaded,
 }

@@ -4,7 +4,7 @@ using UnityEngine.SceneManagement;
 namespace UnityEngine.StandIn;
 
 /// <summary>
-/// The engine's frames, run by a test: one project with one scene. Everything happens on the calling thread, which is the main thread from then on.
+/// The engine's frames, run by a test, for one project with one scene. Everything happens on the calling thread, which becomes the main thread.
 /// </summary>
 internal sealed class PlayerLoop : IDisposable
 {
@@ -21,7 +21,7 @@ internal sealed class PlayerLoop : IDisposable
     private double _physics;
     private TimeSpan _lastFrame;
 
-    /// <summary>Starts with an empty scene.</summary>
+    /// <summary>Creates a loop with an empty scene.</summary>
     /// <param name="play">False to stay in edit mode.</param>
     public PlayerLoop(bool play = true)
     {
@@ -37,7 +37,7 @@ internal sealed class PlayerLoop : IDisposable
     public GameObject? Selected { get; set; }
 
     /// <summary>Runs one frame.</summary>
-    /// <param name="seconds">How long the one before took.</param>
+    /// <param name="seconds">The duration of the previous frame.</param>
     public void Frame(float seconds = 1 / 60f)
     {
         MainThread.Claim();
@@ -64,8 +64,8 @@ internal sealed class PlayerLoop : IDisposable
             Frame(seconds);
     }
 
-    /// <summary>Runs frames in real time until something is so.</summary>
-    /// <exception cref="TimeoutException">It is not after a minute.</exception>
+    /// <summary>Runs frames in real time until a condition holds.</summary>
+    /// <exception cref="TimeoutException">The condition does not hold after a minute.</exception>
     public void RunUntil(Func<bool> condition)
     {
         var limit = Stopwatch.StartNew();
@@ -90,21 +90,21 @@ internal sealed class PlayerLoop : IDisposable
         RunUntil(() => _clock.Elapsed >= end);
     }
 
-    /// <summary>Leaves the scene for another one.</summary>
-    /// <param name="name">What the other one is called.</param>
-    /// <param name="build">Makes what the other one holds.</param>
+    /// <summary>Changes to another scene.</summary>
+    /// <param name="name">The name of the other scene.</param>
+    /// <param name="build">Creates the content of the other scene.</param>
     public void ChangeScene(string name = "Next", Action? build = null) => SceneManager.Change(name, build);
 
-    /// <summary>From edit mode to play mode, as the editor does.</summary>
+    /// <summary>Changes from edit mode to play mode, as the editor does.</summary>
     public void EnterPlayMode(bool reloadDomain = true) => PlayMode.Enter(reloadDomain);
 
-    /// <summary>From play mode to edit mode: objects are disabled and destroyed, and the scene is as it was before.</summary>
+    /// <summary>Changes from play mode to edit mode: objects are disabled and destroyed, and the scene is restored.</summary>
     public void ExitPlayMode() => PlayMode.Exit();
 
-    /// <summary>As when scripts are compiled anew while the game runs: disabled, statics gone, enabled again.</summary>
+    /// <summary>Reloads scripts as if they were compiled while the game runs: disabled, statics reset, enabled again.</summary>
     public void ReloadDomain() => PlayMode.Reload();
 
-    /// <summary>The application comes to the front or goes to the back.</summary>
+    /// <summary>Moves the application to the foreground or background.</summary>
     public void Focus(bool isFocused)
     {
         Application.RaiseFocus(isFocused);
@@ -112,7 +112,7 @@ internal sealed class PlayerLoop : IDisposable
             script.SendMessage(isFocused ? "OnApplicationFocus" : "OnApplicationPause");
     }
 
-    /// <summary>Makes an asset: its objects are in no scene and its scripts do not run; copies of it do.</summary>
+    /// <summary>Creates an asset. Its objects are in no scene and its scripts do not run, but those of copies do.</summary>
     public GameObject CreatePrefab(string name, Action<GameObject>? build = null)
     {
         World.IsMakingAsset = true;
@@ -155,7 +155,7 @@ internal sealed class PlayerLoop : IDisposable
         if (callback is null)
             return;
 
-        // One that was enabled in mid-frame starts before its first step.
+        // A script enabled in mid-frame starts before its first step.
         script.State.Start();
         if (script.State.IsEnabled)
             ScriptCallbacks.Run(callback, script);

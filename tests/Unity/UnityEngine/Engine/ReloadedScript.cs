@@ -3,8 +3,8 @@ using System.Reflection;
 namespace UnityEngine.StandIn;
 
 /// <summary>
-/// What becomes of a script's fields when scripts are compiled anew while the game runs: those of kinds that Unity can keep are carried over, private
-/// ones included; the others are as in a new object.
+/// What happens to a script's fields when scripts are compiled while the game runs. Fields of kinds that Unity can serialise keep their values,
+/// including private ones. The others are as in a new object.
 /// </summary>
 internal static class ReloadedScript
 {

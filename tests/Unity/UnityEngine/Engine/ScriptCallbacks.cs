@@ -2,7 +2,7 @@ using System.Reflection;
 
 namespace UnityEngine.StandIn;
 
-/// <summary>The methods of a script type that the engine calls by their name, private ones and those of base types included.</summary>
+/// <summary>The methods of a script type that the engine calls by name, including private methods and those of base types.</summary>
 internal sealed class ScriptCallbacks
 {
     private static readonly Dictionary<Type, ScriptCallbacks> _known = [];
@@ -41,11 +41,11 @@ internal sealed class ScriptCallbacks
         return method;
     }
 
-    /// <summary>A delegate, so that calling it every frame allocates nothing.</summary>
+    /// <summary>Creates a delegate, so that calling it every frame allocates nothing.</summary>
     public Action? Bind(object target, string name) =>
         Find(name) is { } method && method.ReturnType == typeof(void) ? (Action)Delegate.CreateDelegate(typeof(Action), target, method) : null;
 
-    /// <returns>False when it threw; what it threw is in the log.</returns>
+    /// <returns>False if it threw an exception, which is in the log.</returns>
     public bool Call(Object target, string name)
     {
         Action? callback = Bind(target, name);

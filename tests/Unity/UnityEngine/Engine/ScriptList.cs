@@ -1,6 +1,6 @@
 namespace UnityEngine.StandIn;
 
-/// <summary>The enabled scripts in the order in which they run: by execution order, then by when they were enabled.</summary>
+/// <summary>The enabled scripts in the order in which they run: by execution order, then by the time when they were enabled.</summary>
 internal static class ScriptList
 {
     private static readonly List<MonoBehaviour> _scripts = [];
@@ -24,7 +24,7 @@ internal static class ScriptList
         _waiting.Clear();
     }
 
-    /// <summary>Coroutines and put-off calls go on while their script is disabled, as long as its object is active.</summary>
+    /// <summary>Coroutines and delayed calls continue while their script is disabled, as long as its object is active.</summary>
     public static void AddWaiting(MonoBehaviour script)
     {
         if (!_waiting.Contains(script))
@@ -49,7 +49,7 @@ internal static class ScriptList
         }
     }
 
-    /// <summary>Runs a step for each script; those that come in between wait for the next one, those that go are left out.</summary>
+    /// <summary>Runs a step for each script. Scripts added in between wait for the next step; removed scripts are skipped.</summary>
     public static void ForEach(Action<MonoBehaviour> step)
     {
         int count = _scripts.Count;

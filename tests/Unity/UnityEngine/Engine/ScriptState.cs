@@ -2,7 +2,7 @@ using System.Collections;
 
 namespace UnityEngine.StandIn;
 
-/// <summary>How far a script is in its life, and what runs for it.</summary>
+/// <summary>The current stage of a script's life, and its running coroutines and calls.</summary>
 internal sealed class ScriptState
 {
     private readonly MonoBehaviour _script;
@@ -42,7 +42,7 @@ internal sealed class ScriptState
 
     private bool MayRun => World.IsPlaying || _callbacks.RunsInEditMode || _script.runInEditMode;
 
-    /// <summary>Calls what follows from a change of activity: Awake, OnEnable or OnDisable.</summary>
+    /// <summary>Calls Awake, OnEnable or OnDisable after a change of activity.</summary>
     public void Refresh()
     {
         if (_script.IsDestroyed || _script.Owner is not { } owner)

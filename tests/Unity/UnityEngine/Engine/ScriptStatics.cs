@@ -3,12 +3,12 @@ using System.Runtime.CompilerServices;
 
 namespace UnityEngine.StandIn;
 
-/// <summary>The static state of the package's assemblies: what a domain reload throws away.</summary>
+/// <summary>The static state of the package's assemblies, which a domain reload resets.</summary>
 internal static class ScriptStatics
 {
     private const BindingFlags Static = BindingFlags.Static | BindingFlags.Public | BindingFlags.NonPublic | BindingFlags.DeclaredOnly;
 
-    /// <summary>The assemblies whose scripts are the project's.</summary>
+    /// <summary>The assemblies with scripts of the project.</summary>
     public static IEnumerable<Assembly> Assemblies => AppDomain.CurrentDomain.GetAssemblies().Where(static assembly =>
         assembly.GetName().Name is { } name && name.StartsWith("NeuronMocap.Unity", StringComparison.Ordinal) && !name.StartsWith("NeuronMocap.Unity.Tests", StringComparison.Ordinal));
 
@@ -18,7 +18,7 @@ internal static class ScriptStatics
         .SelectMany(static type => type.GetMethods(Static))
         .Where(method => method.GetCustomAttribute<RuntimeInitializeOnLoadMethodAttribute>()?.loadType == moment);
 
-    /// <summary>Every static field is as new, initialisers run again.</summary>
+    /// <summary>Resets every static field and runs initialisers again.</summary>
     public static void Reset()
     {
         foreach (Type type in Assemblies.SelectMany(static assembly => assembly.GetTypes()).Where(static type => !type.ContainsGenericParameters && type.IsClass))
@@ -34,8 +34,8 @@ internal static class ScriptStatics
         foreach (FieldInfo field in fields.Where(static field => !field.IsLiteral && !field.IsInitOnly))
             field.SetValue(null, field.FieldType.IsValueType ? Activator.CreateInstance(field.FieldType) : null);
 
-        // Reflection runs an initialiser once only; its code does it again. Read-only fields are written by it alone, which optimised code may not
-        // notice: tests run without optimisation.
+        // Reflection runs an initialiser only once, so this runs its code again. Optimised code may not notice changes of read-only fields, so tests
+        // run without optimisation.
         if (type.TypeInitializer is { } initializer)
             Run(initializer.MethodHandle.GetFunctionPointer());
     }

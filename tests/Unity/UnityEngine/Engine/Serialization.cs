@@ -3,12 +3,12 @@ using System.Reflection;
 
 namespace UnityEngine.StandIn;
 
-/// <summary>Which fields Unity keeps, and copies of their values.</summary>
+/// <summary>Determines the fields that Unity serialises, and copies their values.</summary>
 internal static class Serialization
 {
     private const BindingFlags Declared = BindingFlags.DeclaredOnly | BindingFlags.Instance | BindingFlags.Public | BindingFlags.NonPublic;
 
-    /// <summary>The kept fields, those of base types first: public or [SerializeField], of a kind that Unity can keep.</summary>
+    /// <summary>Returns the serialised fields, those of base types first: public or [SerializeField], of a kind that Unity can serialise.</summary>
     public static IEnumerable<FieldInfo> GetFields(Type type)
     {
         if (type.BaseType is { } parent && parent != typeof(object) && parent != typeof(ValueType))
@@ -43,7 +43,7 @@ internal static class Serialization
         : type.IsGenericType && type.GetGenericTypeDefinition() == typeof(List<>) ? type.GetGenericArguments()[0]
         : null;
 
-    /// <summary>A copy of a kept value; references to objects go through <paramref name="map"/>.</summary>
+    /// <summary>Copies a serialised value. References to objects go through <paramref name="map"/>.</summary>
     public static object? Copy(object? value, Type type, Func<Object, Object> map)
     {
         if (value is Object item)

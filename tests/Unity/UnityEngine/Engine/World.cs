@@ -1,6 +1,6 @@
 namespace UnityEngine.StandIn;
 
-/// <summary>All that lives: objects, scripts in the order in which they run, what waits to be destroyed.</summary>
+/// <summary>All live state: objects, scripts in execution order, and objects that wait to be destroyed.</summary>
 internal static class World
 {
     private static readonly List<Object> _objects = [];
@@ -11,7 +11,7 @@ internal static class World
 
     public static bool IsPlaying { get; set; }
 
-    /// <summary>What is made meanwhile is an asset, such as a prefab: it is in no scene and its scripts do not run.</summary>
+    /// <summary>Whether new objects are assets, such as prefabs: they are in no scene and their scripts do not run.</summary>
     public static bool IsMakingAsset { get; set; }
 
     public static int Add(Object item)
@@ -27,7 +27,7 @@ internal static class World
 
     public static void DestroyLater(Object item, float time) => _doomed.Add((item, time));
 
-    /// <summary>Destroys what is due, in the order in which it was asked for.</summary>
+    /// <summary>Destroys objects that are due, in the order of the requests.</summary>
     public static void DestroyDue(float time)
     {
         for (int i = 0; i < _doomed.Count; i++)
@@ -42,7 +42,7 @@ internal static class World
         }
     }
 
-    /// <summary>Forgets everything, without a word to anybody: the next test starts with an empty project.</summary>
+    /// <summary>Discards everything without notice, so that the next test starts with an empty project.</summary>
     public static void Clear()
     {
         foreach (Object item in _objects)

@@ -9,6 +9,6 @@ internal readonly struct GuiLine(Vector2 from, Vector2 to, Color color, float wi
 
     public Color Color => color;
 
-    /// <summary>1, or that of an anti-aliased line.</summary>
+    /// <summary>1, or the width of an anti-aliased line.</summary>
     public float Width => width;
 }

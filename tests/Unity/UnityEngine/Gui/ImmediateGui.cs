@@ -1,8 +1,8 @@
 namespace UnityEngine.StandIn;
 
 /// <summary>
-/// Runs immediate-mode code as the editor does: a layout pass, then the event. Keeps what the event's pass drew, and clicks or changes one control
-/// by its label. As in Unity, a pass whose controls are not those of its layout is an error. Main thread.
+/// Runs immediate-mode code as the editor does: a layout pass, then the event. Keeps the controls of the event's pass, and clicks or changes one
+/// control by its label. As in Unity, it is an error if the controls of a pass differ from those of its layout. Main thread.
 /// </summary>
 internal static class ImmediateGui
 {
@@ -13,27 +13,27 @@ internal static class ImmediateGui
     private static int _row;
     private static int _rowDepth;
 
-    /// <summary>What the last pass drew.</summary>
+    /// <summary>The controls of the last pass.</summary>
     public static List<GuiControl> Controls { get; } = [];
 
     /// <summary>The lines of the last pass.</summary>
     public static List<GuiLine> Lines { get; } = [];
 
-    /// <summary>What GUILayoutUtility.GetRect gives.</summary>
+    /// <summary>The result of GUILayoutUtility.GetRect.</summary>
     public static Rect FreeRect { get; set; } = new(0, 200, 400, 300);
 
     internal static Stack<Rect> Clips { get; } = new();
 
-    /// <summary>Layout and repaint.</summary>
+    /// <summary>Runs layout and repaint.</summary>
     public static void Draw(Action onGui) => Run(onGui, new Event { type = EventType.Repaint });
 
-    /// <summary>Layout and an event of the mouse or the keyboard.</summary>
+    /// <summary>Runs layout and an event of the mouse or the keyboard.</summary>
     public static void Send(Action onGui, Event sent) => Run(onGui, sent);
 
-    /// <summary>Clicks the button, or toggles what has the label. It has to be there, once, and enabled.</summary>
+    /// <summary>Clicks the button, or toggles the control, with the label. It must exist once and be enabled.</summary>
     public static void Click(Action onGui, string label) => Change(onGui, label, null);
 
-    /// <summary>Gives the field with the label another value, as if typed.</summary>
+    /// <summary>Sets the field with the label to a value, as if typed.</summary>
     public static void Set(Action onGui, string label, object value) => Change(onGui, label, value);
 
     /// <summary>Records a control, for GUILayout and EditorGUILayout.</summary>
@@ -45,35 +45,35 @@ internal static class ImmediateGui
         Controls.Add(new GuiControl(kind, label, value, GUI.enabled && isEnabled, color, _row, tooltip));
     }
 
-    /// <summary>Records a button; true when it is clicked.</summary>
+    /// <summary>Records a button. Returns true if it is clicked.</summary>
     public static bool Button(string kind, string label)
     {
         Add(kind, label);
         return IsWanted(label);
     }
 
-    /// <summary>Records a toggle; its new value.</summary>
+    /// <summary>Records a toggle. Returns its new value.</summary>
     public static bool Toggle(bool value, string label)
     {
         Add("Toggle", label, value ? "on" : "off");
         return IsWanted(label) ? !value : value;
     }
 
-    /// <summary>Whether the test has a new value for the field that was just added.</summary>
+    /// <summary>Returns whether the test has a new value for the field that was just added.</summary>
     public static bool TryTake(string label, out object? value)
     {
         value = _newValue;
         return _newValue is not null && IsWanted(label);
     }
 
-    /// <summary>For UnityEditor's Handles: in the window's pixels, clip or not.</summary>
+    /// <summary>For UnityEditor's Handles: in the window's pixels, regardless of clipping.</summary>
     public static void AddLine(Vector2 from, Vector2 to, Color color, float width)
     {
         Vector2 origin = Clips.Count > 0 ? new Vector2(Clips.Peek().x, Clips.Peek().y) : Vector2.zero;
         Lines.Add(new GuiLine(from + origin, to + origin, color, width));
     }
 
-    /// <summary>What is added until the row ends stands in one line.</summary>
+    /// <summary>Starts a row. Controls added until the row ends are in one row.</summary>
     public static void BeginRow()
     {
         if (_rowDepth++ == 0)
@@ -116,7 +116,7 @@ internal static class ImmediateGui
         _layout.AddRange(Controls.Select(static control => control.Kind));
         RunPass(onGui, sent);
 
-        // What is clicked may change what comes after it; Unity then leaves the pass in its own way, too.
+        // A click may change the controls after it. Unity then also ends the pass differently.
         if (_wanted is null && !_layout.SequenceEqual(Controls.Select(static control => control.Kind)))
             throw new InvalidOperationException($"The controls of {sent.type} are not those of the layout pass: {_layout.Count} were laid out, {Controls.Count} drawn.");
     }
@@ -139,6 +139,6 @@ internal static class ImmediateGui
         }
 
         if (_rowDepth != 0 || Clips.Count != 0)
-            throw new InvalidOperationException("A row or a clip was begun and not ended.");
+            throw new InvalidOperationException("A row or a clip was started but not ended.");
     }
 }

@@ -29,7 +29,7 @@ public struct Mathf
 
     public static int Abs(int value) => Math.Abs(value);
 
-    // Math.Min gives NaN when either is; Unity's compares.
+    // Math.Min returns NaN if either argument is NaN. Unity's version compares.
     public static float Min(float a, float b) => a < b ? a : b;
 
     public static float Min(params float[] values) => values.Length == 0 ? 0 : values.Min();
@@ -106,7 +106,7 @@ public struct Mathf
     public static float SmoothDamp(
         float current, float target, ref float currentVelocity, float smoothTime, float maxSpeed, float deltaTime)
     {
-        // A critically damped spring, as documented; the exact step of its equation.
+        // A critically damped spring, as documented, with the exact step of its equation.
         if (deltaTime <= 0)
             return current;
 
@@ -127,7 +127,7 @@ public struct Mathf
 
     public static float PerlinNoise(float x, float y)
     {
-        // Smooth and repeatable, which is all that anybody may rely on; the values are not Unity's.
+        // Smooth and repeatable, which is all that code may rely on. The values differ from Unity's.
         return Clamp01(0.5f + (0.25f * Sin((x * 1.7f) + (y * 2.3f))) + (0.25f * Sin((x * 3.1f) - (y * 1.3f))));
     }
 }

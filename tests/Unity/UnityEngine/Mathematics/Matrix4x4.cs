@@ -1,6 +1,6 @@
 namespace UnityEngine;
 
-/// <summary>Columns of a matrix that multiplies column vectors from the left.</summary>
+/// <summary>The columns of a matrix that multiplies column vectors from the left.</summary>
 [Serializable]
 public struct Matrix4x4(Vector4 column0, Vector4 column1, Vector4 column2, Vector4 column3) : IEquatable<Matrix4x4>
 {
@@ -49,7 +49,7 @@ public struct Matrix4x4(Vector4 column0, Vector4 column1, Vector4 column2, Vecto
 
     public static Matrix4x4 Scale(Vector3 vector) => TRS(Vector3.zero, Quaternion.identity, vector);
 
-    // System.Numerics multiplies row vectors from the right: its matrices are these ones transposed, and products swap.
+    // System.Numerics multiplies row vectors from the right, so its matrices are the transposes, and products are swapped.
     public static Matrix4x4 operator *(Matrix4x4 lhs, Matrix4x4 rhs) => FromNumerics(rhs.ToNumerics() * lhs.ToNumerics());
 
     public static Vector4 operator *(Matrix4x4 lhs, Vector4 vector) => new(

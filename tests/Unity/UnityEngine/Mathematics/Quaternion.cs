@@ -178,7 +178,7 @@ public struct Quaternion(float x, float y, float z, float w) : IEquatable<Quater
 
     internal static Quaternion FromAxes(Vector3 x, Vector3 y, Vector3 z)
     {
-        // The largest of the four is found first, so that nothing is divided by a small number.
+        // Finds the largest of the four components first, so that no division is by a small number.
         float trace = x.x + y.y + z.z;
         if (trace > 0)
             return Normalize(new Quaternion(y.z - z.y, z.x - x.z, x.y - y.x, 1 + trace));
@@ -196,7 +196,7 @@ public struct Quaternion(float x, float y, float z, float w) : IEquatable<Quater
     private static Quaternion Mix(Quaternion a, Quaternion b, float ofA, float ofB) =>
         Normalize(new Quaternion((a.x * ofA) + (b.x * ofB), (a.y * ofA) + (b.y * ofB), (a.z * ofA) + (b.z * ofB), (a.w * ofA) + (b.w * ofB)));
 
-    // Of Y * X * Z, each angle within 0 to 360 degrees.
+    // Angles of Y * X * Z, each from 0 to 360 degrees.
     private static Vector3 ToEuler(Quaternion rotation)
     {
         Quaternion q = Normalize(rotation);

@@ -9,7 +9,7 @@ public struct Vector3(float x, float y, float z) : IEquatable<Vector3>
 
     internal const float SmallestLength = 1e-5f;
 
-    // Unity calls vectors equal that are closer than 1e-5.
+    // Unity treats vectors closer than 1e-5 as equal.
     internal const float EqualSquare = 9.99999944e-11f;
 
     public float x = x;

@@ -69,7 +69,7 @@ public sealed class GameObject : Object
 
     internal bool IsKept { get; set; }
 
-    /// <summary>Between the beginning and the end of SetActive, when OnEnable and OnDisable run: nothing gets or loses this parent then.</summary>
+    /// <summary>True during SetActive, while OnEnable and OnDisable run. Meanwhile the object cannot gain or lose children.</summary>
     internal bool IsChanging { get; private set; }
 
     internal override bool IsAsset => _isAsset;
@@ -115,7 +115,7 @@ public sealed class GameObject : Object
     {
         Check();
         if (!typeof(Component).IsAssignableFrom(componentType) || componentType.IsAbstract)
-            throw new ArgumentException($"{componentType} is no component that could be added.", nameof(componentType));
+            throw new ArgumentException($"{componentType} is not a component that can be added.", nameof(componentType));
 
         if (ComponentRules.IsSingle(componentType) && GetComponent(componentType) is not null)
         {
@@ -241,7 +241,7 @@ public sealed class GameObject : Object
         return added;
     }
 
-    /// <summary>Tells all scripts here and below what a change of activity means for them, parents first.</summary>
+    /// <summary>Informs all scripts here and below of a change of activity, parents first.</summary>
     internal void RefreshActivity()
     {
         IsChanging = true;

@@ -141,7 +141,7 @@ public class Object
 
     internal void MarkDestroyed() => IsDestroyed = true;
 
-    /// <summary>What every call into the engine checks first: the thread, and that the object still exists.</summary>
+    /// <summary>The first check of every call into the engine: the thread, and that the object still exists.</summary>
     internal void Check([System.Runtime.CompilerServices.CallerMemberName] string member = "")
     {
         MainThread.Check(member);

@@ -126,7 +126,7 @@ public class Transform : Component, IEnumerable
     {
         get
         {
-            // What is left of the matrix along the axes when the rotation is taken out; a skew is lost.
+            // The rest of the matrix along the axes after the rotation is removed. A skew is lost.
             Matrix4x4 rest = Matrix4x4.Rotate(Quaternion.Inverse(rotation)) * localToWorldMatrix;
             return new Vector3(rest.m00, rest.m11, rest.m22);
         }
@@ -347,7 +347,7 @@ public class Transform : Component, IEnumerable
         return false;
     }
 
-    // Unity takes only lengths near one as they are.
+    // Unity accepts only lengths near one unchanged.
     private static Quaternion Valid(Quaternion value) => Quaternion.Normalize(value);
 
     private static bool IsFinite(float value) => !float.IsNaN(value) && !float.IsInfinity(value);
@@ -356,7 +356,7 @@ public class Transform : Component, IEnumerable
 
     private static Vector3 Divide(Vector3 value, Vector3 by) => new(Divide(value.x, by.x), Divide(value.y, by.y), Divide(value.z, by.z));
 
-    // A rotation as it looks in a mirror: turned on the axes whose mirror images have the same sign.
+    // A rotation as seen in a mirror: it keeps its direction about axes whose mirror images have the same sign.
     private static Quaternion Mirror(Quaternion q, Vector3 signs) =>
         new(q.x * signs.y * signs.z, q.y * signs.x * signs.z, q.z * signs.x * signs.y, q.w);
 

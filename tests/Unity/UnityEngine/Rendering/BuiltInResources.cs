@@ -1,6 +1,6 @@
 namespace UnityEngine.StandIn;
 
-/// <summary>What is in every project and belongs to nobody: the shapes of primitives and their material. Each exists once.</summary>
+/// <summary>Shared resources of every project: the shapes of primitives and their material. Each exists once.</summary>
 internal static class BuiltInResources
 {
     private static readonly Dictionary<PrimitiveType, Mesh> _meshes = [];

@@ -1,6 +1,6 @@
 namespace UnityEngine;
 
-// Triangles in parts, and the bones that carry the vertices.
+// Triangles in submeshes, and the bones that move the vertices.
 public sealed partial class Mesh
 {
     private int[][] _parts = [[]];
@@ -35,7 +35,7 @@ public sealed partial class Mesh
 
     public int[] GetTriangles(int submesh) => [.. _parts[submesh]];
 
-    /// <summary>Each vertex has the mean of its triangles' normals, by their areas.</summary>
+    /// <summary>Gives each vertex the mean of its triangles' normals, weighted by their areas.</summary>
     public void RecalculateNormals()
     {
         var sums = new Vector3[vertices.Length];

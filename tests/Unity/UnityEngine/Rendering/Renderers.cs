@@ -24,7 +24,7 @@ public class Renderer : Component
         set => _materials = [value, .. _materials.Skip(1)];
     }
 
-    /// <summary>A copy of its own from the first use on, as in the engine.</summary>
+    /// <summary>The renderer's own copy, created on first use, as in the engine.</summary>
     public Material? material
     {
         get

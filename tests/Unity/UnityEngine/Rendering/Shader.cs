@@ -1,6 +1,6 @@
 namespace UnityEngine;
 
-/// <summary>Those that a project has: of the built-in pipeline unless a test says otherwise. Each exists once.</summary>
+/// <summary>The shaders of a project: by default those of the built-in pipeline. Each exists once.</summary>
 public sealed class Shader : Object
 {
     private static readonly Dictionary<string, int> _ids = [];
@@ -12,7 +12,7 @@ public sealed class Shader : Object
 
     public bool isSupported => true;
 
-    /// <summary>Names of the shaders that are in the project, or in the player.</summary>
+    /// <summary>Names of the shaders in the project, or in the player.</summary>
     internal static HashSet<string> Available { get; } = ["Standard", "Sprites/Default", "Hidden/Internal-Colored", "Hidden/InternalErrorShader"];
 
     internal string MainColor => IsOfPipeline ? "_BaseColor" : "_Color";

@@ -21,10 +21,10 @@ public class SceneManager
 
     public static Scene GetSceneAt(int index) => GetActiveScene();
 
-    /// <summary>The scene changes with the next frame, as in the engine.</summary>
+    /// <summary>Changes the scene with the next frame, as in the engine.</summary>
     public static void LoadScene(string sceneName) => Requested = sceneName;
 
-    /// <summary>Destroys what the scene holds and makes what the other one does.</summary>
+    /// <summary>Destroys the content of the scene and creates that of the other one.</summary>
     internal static void Change(string name, Action? build)
     {
         Scene left = GetActiveScene();

@@ -2,7 +2,7 @@ using NeuronMocap.Tests.Architecture.Samples.Low;
 
 namespace NeuronMocap.Tests.Architecture.Samples.High;
 
-// The forbidden fruit, and one use in the allowed direction.
+// A forbidden type, and one use in the allowed direction.
 internal class Fruit
 {
     public static int Count { get; set; }
