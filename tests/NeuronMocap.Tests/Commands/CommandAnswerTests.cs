@@ -78,7 +78,7 @@ public class CommandAnswerTests
     {
         using var server = CommandScript.Always([low, 0, 0, high]);
         using NeuronCommandClient client = server.CreateClient();
-        await FailsAsync(client.GetRotationOrderAsync(), CommandFailure.InvalidReply, "none of the six");
+        await FailsAsync(client.GetRotationOrderAsync(), CommandFailure.InvalidReply, "it must be 0 to 5");
     }
 
     [Fact]

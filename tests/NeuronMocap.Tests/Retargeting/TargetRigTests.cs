@@ -99,13 +99,13 @@ public sealed class TargetRigTests
     {
         AssertRefused("comes before its parent", nodes => nodes[2] = nodes[2] with { Parent = 2 });
         AssertRefused("comes before its parent", nodes => nodes[2] = nodes[2] with { Parent = -2 });
-        AssertRefused("no number", nodes => nodes[2] = nodes[2] with { Position = new Vector3(0, float.NaN, 0) });
-        AssertRefused("no number", nodes => nodes[2] = nodes[2] with { Scale = new Vector3(0, 0, float.PositiveInfinity) });
-        AssertRefused("no number", nodes => nodes[2] = nodes[2] with { Rotation = new Quaternion(float.NaN, 0, 0, 1) });
+        AssertRefused("not a number", nodes => nodes[2] = nodes[2] with { Position = new Vector3(0, float.NaN, 0) });
+        AssertRefused("not a number", nodes => nodes[2] = nodes[2] with { Scale = new Vector3(0, 0, float.PositiveInfinity) });
+        AssertRefused("not a number", nodes => nodes[2] = nodes[2] with { Rotation = new Quaternion(float.NaN, 0, 0, 1) });
         AssertRefused("length zero", nodes => nodes[2] = nodes[2] with { Rotation = default });
         AssertRefused("is mapped to two bones", change: null, nodeByBone => nodeByBone[5] = nodeByBone[6]);
-        AssertRefused("no node 55", change: null, nodeByBone => nodeByBone[5] = 55);
-        AssertRefused("no node -2", change: null, nodeByBone => nodeByBone[5] = -2);
+        AssertRefused("Node 55 does not exist", change: null, nodeByBone => nodeByBone[5] = 55);
+        AssertRefused("Node -2 does not exist", change: null, nodeByBone => nodeByBone[5] = -2);
         AssertRefused("hips have no node", change: null, nodeByBone => nodeByBone[0] = -1);
         AssertRefused("below another bone", change: null, nodeByBone => (nodeByBone[0], nodeByBone[7]) = (nodeByBone[7], nodeByBone[0]));
         RigNode[] flat = TestRigs.Under(new RigNode("Armature", -1, Vector3.Zero, Quaternion.Identity, Vector3.Zero), TestRigs.HumanoidNodes());

@@ -241,7 +241,7 @@ public sealed class RecordingPlayerTests
         Assert.Equal(ConnectionState.Receiving, reader.Status.State);
         player.Resume();
         ConnectionStatus silent = await statuses.WaitAsync(ConnectionState.Silent);
-        Assert.Contains("when it was made", silent.Message, StringComparison.Ordinal);
+        Assert.Contains("while it was recorded", silent.Message, StringComparison.Ordinal);
     }
 
     [Fact]
