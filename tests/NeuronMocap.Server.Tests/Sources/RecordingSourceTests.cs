@@ -208,7 +208,7 @@ public sealed class RecordingSourceTests
     public void A_recording_without_poses_is_refused()
     {
         using TemporaryFile file = Recordings.OfTcp((0, Contacts(0, left: true, right: true)));
-        Assert.Contains("no pose", Assert.Throws<NeuronException>(() => RecordingSource.Load(file.Path)).Message, StringComparison.Ordinal);
+        Assert.Contains("no motion frame", Assert.Throws<NeuronException>(() => RecordingSource.Load(file.Path)).Message, StringComparison.Ordinal);
     }
 
     [Theory]

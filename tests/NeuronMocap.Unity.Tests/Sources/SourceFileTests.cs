@@ -40,7 +40,7 @@ public sealed class SourceFileTests : SourceFixture
         MocapSource source = AddFile(SourceKind.BvhFile, WriteTake(), loop: false);
         WaitForPose(source);
         Loop.RunUntil(() => source.State == SourceState.Ended);
-        Assert.Equal("The file take is over. Switch Loop on to play it again and again.", source.StatusMessage);
+        Assert.Equal("The file take has ended. Switch Loop on to repeat it.", source.StatusMessage);
     }
 
     [Fact]
