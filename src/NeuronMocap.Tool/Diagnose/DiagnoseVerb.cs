@@ -61,7 +61,7 @@ internal sealed class DiagnoseVerb : Verb
     public override IReadOnlyList<(int Code, string Meaning)> ExitCodes { get; } =
     [
         (CommandLine.Done, "frames arrive"),
-        (CommandLine.NothingReceived, "a fault was found"),
+        (CommandLine.NothingReceived, "no frames arrive"),
         (CommandLine.Interrupted, "ended by Ctrl+C or SIGTERM before the result"),
     ];
 

@@ -31,8 +31,8 @@ public sealed class FootPlanterOptions
     /// Gets or sets the height of the ground above the character's root, in metres, or null to learn it from the motion. The default is 0.
     /// </summary>
     /// <remarks>
-    /// A learnt ground is the height that the soles come down to; it rises as the character climbs stairs. A foot further from the ground than
-    /// <see cref="MaxHipsShift"/> stands on something else, and keeps its height.
+    /// A learnt ground is the height that the soles come down to; it rises as the character climbs stairs. A foot that is further from the ground than
+    /// a tenth of the leg length stands on something else, and keeps its height.
     /// </remarks>
     /// <exception cref="ArgumentOutOfRangeException">The value is not finite.</exception>
     public float? GroundHeight
