@@ -18,7 +18,7 @@ internal sealed class UdpSender
             Address[i] = AddressBytes[i] = address[i];
 
         Host = HostKey.Of(Address);
-        (Number, Identity, Began, Turn, Heard) = (number, identity, turn, turn, clock);
+        (Number, Identity, Began, Turn, FirstHeard, Heard) = (number, identity, turn, turn, clock, clock);
     }
 
     public SocketAddress Address { get; }
@@ -32,10 +32,12 @@ internal sealed class UdpSender
 
     public SenderIdentity Identity { get; }
 
-    // Turns of the first and the newest datagram, and the time of the newest.
+    // Turns and times of the first and the newest datagram.
     public long Began { get; }
 
     public long Turn { get; private set; }
+
+    public long FirstHeard { get; }
 
     public long Heard { get; private set; }
 

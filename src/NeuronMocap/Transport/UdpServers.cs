@@ -16,6 +16,10 @@ internal sealed class UdpServers
     private static readonly long ShortestSilence = Stopwatch.Frequency / 4;
     private static readonly long LongestSilence = Stopwatch.Frequency;
 
+    // A slow handler, or a pause of the computer, makes a live server look silent. Its datagrams wait in the socket meanwhile. A new sender is therefore
+    // also heard for this time before it takes the place of a silent one.
+    private static readonly long Confirmation = Stopwatch.Frequency / 20;
+
     private readonly List<UdpServer> _servers = [];
     private int _nextServer;
     private int _nextNumber;
@@ -48,7 +52,7 @@ internal sealed class UdpServers
             else if (holder.Turn < sender.Began)
             {
                 isOpen = true;
-                sender.Due = Math.Min(sender.Due, holder.Heard + SilenceOf(holder, isLast: false));
+                sender.Due = Math.Min(sender.Due, Math.Max(holder.Heard + SilenceOf(holder, isLast: false), sender.FirstHeard + Confirmation));
             }
         }
 
@@ -106,7 +110,8 @@ internal sealed class UdpServers
     // A holder that sent after the other sender began is alive beside it. At the end, several datagrams of the other sender without one of the holder show
     // that the holder is gone.
     private static bool IsGone(UdpSender holder, UdpSender sender, long clock, bool isLast) => holder.Turn < sender.Began
-        && (clock - holder.Heard > SilenceOf(holder, isLast) || (isLast && sender.Held.Count > Pauses));
+        && ((clock - holder.Heard > SilenceOf(holder, isLast) && (isLast || clock - sender.FirstHeard > Confirmation))
+            || (isLast && sender.Held.Count > Pauses));
 
     private static long SilenceOf(UdpSender sender, bool isLast) =>
         Math.Min(Math.Max(Pauses * sender.LongestPause, isLast ? 0 : ShortestSilence), LongestSilence);

@@ -131,8 +131,23 @@ public sealed class UdpSendersTests
     {
         Push(5000, TestPackets.Motion(1), seconds: 0);
         Push(5001, TestPackets.Motion(2), seconds: 10);
-        Assert.Equal([0, 0], Sources());
+        Assert.True(_senders.IsWaiting);
+        Push(5001, TestPackets.Motion(3), seconds: 10.06);
+        Assert.Equal([0, 0, 0], Sources());
         Assert.True(_log.Origins[1] != _log.Origins[0]);
+    }
+
+    // The receive loop stands still, and reads the datagrams of that time one after the other. The second server sent its first one just after the first
+    // server's last one that was read.
+    [Fact]
+    public void A_server_that_begins_while_a_handler_runs_is_a_second_server()
+    {
+        Push(5000, TestPackets.Motion(1), seconds: 0);
+        Push(5001, TestPackets.Motion(2), seconds: 0.4);
+        Push(5000, TestPackets.Motion(3), seconds: 0.4001);
+        Push(5001, TestPackets.Motion(4), seconds: 0.4002);
+        _senders.Settle(Ticks(0.5));
+        Assert.Equal([0, 1, 0, 1], Sources());
     }
 
     [Fact]
@@ -195,10 +210,11 @@ public sealed class UdpSendersTests
     {
         Push(5000, TestPackets.Motion(1), seconds: 0);
         Push(5001, TestPackets.Motion(2), seconds: 10);
+        _senders.Settle(Ticks(10.06));
         for (int i = 0; i < 10; i++)
         {
-            Push(5000, TestPackets.Motion(3), seconds: 10.01 + (i * 0.02));
-            Push(5001, TestPackets.Motion(4), seconds: 10.02 + (i * 0.02));
+            Push(5000, TestPackets.Motion(3), seconds: 10.07 + (i * 0.02));
+            Push(5001, TestPackets.Motion(4), seconds: 10.08 + (i * 0.02));
         }
 
         Assert.Equal((12, 10), (Sources().Count(source => source == 0), Sources().Count(source => source == 1)));
