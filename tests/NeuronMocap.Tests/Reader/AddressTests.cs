@@ -87,6 +87,16 @@ public sealed class AddressTests
         Assert.False(TcpLink.IsOwnEcho(socket, socket.RemoteEndPoint!));
     }
 
+    [Theory]
+    [InlineData(TransportKind.Tcp, 0)]
+    [InlineData(TransportKind.Tcp, 65536)]
+    [InlineData(TransportKind.Udp, -1)]
+    public void A_calculation_port_out_of_range_is_refused(TransportKind transport, int port)
+    {
+        var options = new NeuronReaderOptions { Transport = transport, CalculationPort = port };
+        Assert.Contains("CalculationPort", Assert.Throws<ArgumentException>(() => new NeuronReader(options)).Message, StringComparison.Ordinal);
+    }
+
     private static async Task AssertReceivesAsync(NeuronReader reader, TestServer server)
     {
         await using (reader)

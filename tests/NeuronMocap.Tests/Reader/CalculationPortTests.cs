@@ -287,16 +287,6 @@ public sealed class CalculationPortTests : IDisposable
         await reader.UntilAsync(static statistics => statistics is { MotionFrames: 1, CalculationFrames: 1 });
     }
 
-    [Theory]
-    [InlineData(TransportKind.Tcp, 0)]
-    [InlineData(TransportKind.Tcp, 65536)]
-    [InlineData(TransportKind.Udp, -1)]
-    public void A_port_out_of_range_is_refused(TransportKind transport, int port)
-    {
-        var options = new NeuronReaderOptions { Transport = transport, CalculationPort = port };
-        Assert.Contains("CalculationPort", Assert.Throws<ArgumentException>(() => new NeuronReader(options)).Message, StringComparison.Ordinal);
-    }
-
     private NeuronReader CreateReader(TransportKind transport, bool reconnect = false, TimeSpan? silence = null) => new(new NeuronReaderOptions
     {
         Transport = transport,

@@ -1,6 +1,8 @@
+using System.Text;
+
 namespace NeuronMocap.Recording;
 
-// Sizes of the file format, which docs/reference/recording.md describes. All numbers in the file are little endian.
+// Sizes and limits of the file format, which docs/reference/recording.md describes. All numbers in the file are little endian.
 internal static class RecordingLayout
 {
     public const int FileHeaderSize = 64;
@@ -21,6 +23,18 @@ internal static class RecordingLayout
     public const int MaxOpen = 1024;
 
     public const int MaxTextBytes = 255;
+
+    public static string CutText(string text)
+    {
+        if (Encoding.UTF8.GetByteCount(text) <= MaxTextBytes)
+            return text;
+
+        int length = MaxTextBytes;
+        while (Encoding.UTF8.GetByteCount(text.AsSpan(0, Math.Min(length, text.Length))) > MaxTextBytes)
+            length--;
+
+        return text[..length];
+    }
 }
 
 internal enum BlockKind : byte

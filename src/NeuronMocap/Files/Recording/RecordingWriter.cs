@@ -1,4 +1,3 @@
-using System.Text;
 using NeuronMocap.Files;
 
 namespace NeuronMocap.Recording;
@@ -153,7 +152,7 @@ public sealed class RecordingWriter : IDisposable
     public void OpenConnection(TimeSpan time, RecordedConnection connection)
     {
         ArgumentNullException.ThrowIfNull(connection);
-        RecordedConnection known = connection with { Local = Cut(connection.Local), Remote = Cut(connection.Remote) };
+        RecordedConnection known = connection with { Local = RecordingLayout.CutText(connection.Local), Remote = RecordingLayout.CutText(connection.Remote) };
         _state.Open(known);
         _entries.AddOpened(Advance(time), known);
         EndEntry();
@@ -170,7 +169,7 @@ public sealed class RecordingWriter : IDisposable
     public void AddSender(TimeSpan time, int connection, int sender, string address)
     {
         ArgumentNullException.ThrowIfNull(address);
-        string known = Cut(address);
+        string known = RecordingLayout.CutText(address);
         _state.AddSender(connection, sender, known);
         _entries.AddSender(Advance(time), connection, sender, known);
         EndEntry();
@@ -234,7 +233,7 @@ public sealed class RecordingWriter : IDisposable
     {
         ArgumentNullException.ThrowIfNull(reason);
         _state.Close(connection);
-        _entries.AddClosed(Advance(time), connection, Cut(reason));
+        _entries.AddClosed(Advance(time), connection, RecordingLayout.CutText(reason));
         EndEntry();
     }
 
@@ -342,17 +341,5 @@ public sealed class RecordingWriter : IDisposable
         end.Write(payload.Extend(RecordingEnd.Size));
         _blocks.Write(BlockKind.End, payload, _time);
         _blocks.Flush();
-    }
-
-    private static string Cut(string text)
-    {
-        if (Encoding.UTF8.GetByteCount(text) <= RecordingLayout.MaxTextBytes)
-            return text;
-
-        int length = RecordingLayout.MaxTextBytes;
-        while (Encoding.UTF8.GetByteCount(text.AsSpan(0, Math.Min(length, text.Length))) > RecordingLayout.MaxTextBytes)
-            length--;
-
-        return text[..length];
     }
 }
