@@ -89,15 +89,21 @@ public sealed partial class Broadcaster
         try
         {
             foreach (Recipient sender in _recipients.Where(recipient => recipient is UdpRecipient))
-                StartWorker(sender.Worker);
+                Launch(sender.Worker);
             if (_pacer is not null)
-                StartWorker(_pacer.Worker);
+                Launch(_pacer.Worker);
         }
         catch (Exception exception)
         {
             // Usually the system cannot create another thread. The broadcast cannot start, so Completion must fail with the reason.
             Close(exception);
         }
+    }
+
+    private void Launch(Worker worker)
+    {
+        StartWorker(worker);
+        _workers.Add(worker);
     }
 
     private int CountClients(BroadcastStream stream) => _recipients.Count(recipient => recipient.Stream == stream && recipient is TcpClientSession);
@@ -130,7 +136,7 @@ public sealed partial class Broadcaster
         {
             feed = stream.CreateFeed(isSingle: false);
             var session = new TcpClientSession(socket, stream, feed, _options, OnRecipientEnded, _report);
-            StartWorker(session.Worker);
+            Launch(session.Worker);
             _recipients.Add(session);
             _accepted++;
             return true;

@@ -21,8 +21,6 @@ namespace NeuronMocap.Server;
 /// </remarks>
 public sealed partial class Broadcaster : IDisposable, IAsyncDisposable
 {
-    private static readonly TimeSpan JoinTimeout = TimeSpan.FromSeconds(5);
-
     private readonly object _lock = new();
     private readonly FaultReport _report = new(nameof(Broadcaster));
     private readonly BroadcasterOptions _options;
@@ -34,6 +32,7 @@ public sealed partial class Broadcaster : IDisposable, IAsyncDisposable
     private readonly bool _isPacketwise;
     private readonly Pacer? _pacer;
     private readonly List<Recipient> _recipients = [];
+    private readonly WorkerList _workers = new();
     private readonly TaskCompletionSource<bool> _completion = new(TaskCreationOptions.RunContinuationsAsynchronously);
     private RecipientCounters _departed;
     private long _accepted;
@@ -177,7 +176,14 @@ public sealed partial class Broadcaster : IDisposable, IAsyncDisposable
             Open();
             _isStarted = true;
             foreach (BroadcastStream stream in _streams)
-                stream.Listener?.Worker.Start();
+            {
+                if (stream.Listener is not { } listener)
+                    continue;
+
+                listener.Worker.Start();
+                _workers.Add(listener.Worker);
+            }
+
             if (!_options.WaitForClient)
                 Begin();
         }
@@ -188,16 +194,14 @@ public sealed partial class Broadcaster : IDisposable, IAsyncDisposable
     /// </summary>
     public void Stop()
     {
-        Worker?[] workers;
+        Worker[] workers;
         lock (_lock)
         {
-            workers = [.. _streams.Select(stream => stream.Listener?.Worker), _pacer?.Worker, .. _recipients.ConvertAll(recipient => recipient.Worker)];
             Close(error: null);
+            workers = _workers.ToArray();
         }
 
-        long deadline = Stopwatch.GetTimestamp() + (long)(JoinTimeout.TotalSeconds * Stopwatch.Frequency);
-        foreach (Worker? worker in workers)
-            worker?.Join(deadline);
+        WorkerList.Join(workers);
     }
 
     /// <summary>Stops the broadcaster, as <see cref="Stop"/> does.</summary>

@@ -21,8 +21,6 @@ namespace NeuronMocap.Server;
 /// </remarks>
 public sealed class CommandServer : IDisposable, IAsyncDisposable
 {
-    private static readonly TimeSpan JoinTimeout = TimeSpan.FromSeconds(5);
-
     // A client that has just connected is about to send a request. A client that has just been answered often sends another.
     private static readonly long SafeTime = 2 * Stopwatch.Frequency;
 
@@ -31,6 +29,7 @@ public sealed class CommandServer : IDisposable, IAsyncDisposable
     private readonly CommandServerOptions _options;
     private readonly CommandAnswers _answers;
     private readonly List<CommandSession> _sessions = [];
+    private readonly WorkerList _workers = new();
     private readonly ManualResetEventSlim _stop = new();
     private ClientListener? _listener;
     private bool _hasEnded;
@@ -102,26 +101,24 @@ public sealed class CommandServer : IDisposable, IAsyncDisposable
             }
 
             LocalEndPoint = _listener.LocalEndPoint;
-            _listener.Worker.Start();
+            Launch(_listener.Worker);
         }
     }
 
     /// <summary>Closes all connections at once and ends all threads. Returns within seconds and can be called repeatedly.</summary>
     public void Stop()
     {
-        Worker?[] workers;
+        Worker[] workers;
         lock (_lock)
         {
             _hasEnded = true;
             _stop.Set();
             _listener?.Dispose();
-            workers = [_listener?.Worker, .. _sessions.ConvertAll(session => session.Worker)];
             _sessions.ForEach(session => session.Dispose());
+            workers = _workers.ToArray();
         }
 
-        long deadline = Stopwatch.GetTimestamp() + (long)(JoinTimeout.TotalSeconds * Stopwatch.Frequency);
-        foreach (Worker? worker in workers)
-            worker?.Join(deadline);
+        WorkerList.Join(workers);
     }
 
     /// <summary>Stops the server, as <see cref="Stop"/> does.</summary>
@@ -144,7 +141,7 @@ public sealed class CommandServer : IDisposable, IAsyncDisposable
             try
             {
                 var session = new CommandSession(socket, _answers, _options, GetTimestamp, _stop, OnEnded, _report);
-                session.Worker.Start();
+                Launch(session.Worker);
                 _sessions.Add(session);
             }
             catch (Exception exception) when (exception is SocketException or OutOfMemoryException)
@@ -172,6 +169,12 @@ public sealed class CommandServer : IDisposable, IAsyncDisposable
         _sessions.Remove(oldest);
         oldest.Dispose();
         return true;
+    }
+
+    private void Launch(Worker worker)
+    {
+        worker.Start();
+        _workers.Add(worker);
     }
 
     private void OnEnded(CommandSession session)

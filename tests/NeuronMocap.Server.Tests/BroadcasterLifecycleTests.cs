@@ -1,5 +1,6 @@
 using System.Net;
 using System.Net.Sockets;
+using NeuronMocap.Server.Broadcasting;
 using NeuronMocap.Skeleton;
 using NeuronMocap.Tests.Server;
 
@@ -221,6 +222,29 @@ public sealed class BroadcasterLifecycleTests
         options.UdpDestinations = [new IPEndPoint(IPAddress.Loopback, 7002)];
         options.WaitForClient = true;
         Assert.Throws<ArgumentException>("WaitForClient", () => new Broadcaster(options));
+    }
+
+    // The thread of a client that has left runs for a moment longer. The stop comes within that moment, in some of the rounds.
+    [Fact]
+    public async Task Every_thread_has_ended_after_the_stop()
+    {
+        for (int i = 0; i < 300; i++)
+        {
+            var started = new List<Worker>();
+            BroadcasterOptions options = Expect.Options(frames: 1);
+            options.WaitForClient = true;
+            var broadcaster = new Broadcaster(options) { StartWorker = worker => { started.Add(worker); worker.Start(); } };
+            broadcaster.Start();
+            using (TestClient client = await TestClient.ConnectAsync(broadcaster.LocalEndPoint))
+                await client.ReadAsync();
+
+            var wait = default(SpinWait);
+            while (broadcaster.GetStatistics() is { Accepted: 0 } or { Clients: > 0 })
+                wait.SpinOnce();
+
+            broadcaster.Dispose();
+            Assert.Equal([], started.Where(static worker => !worker.HasEnded).Select(static worker => worker.Name));
+        }
     }
 
     private static async Task AssertEndsAsync(BroadcasterOptions options, double rate)

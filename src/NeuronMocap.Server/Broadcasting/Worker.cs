@@ -23,6 +23,8 @@ internal sealed class Worker
 
     public string? Name => _thread.Name;
 
+    public bool HasEnded => _thread.ThreadState.HasFlag(System.Threading.ThreadState.Stopped);
+
     public bool IsStarted => !_thread.ThreadState.HasFlag(System.Threading.ThreadState.Unstarted);
 
     public void Start() => _thread.Start();
