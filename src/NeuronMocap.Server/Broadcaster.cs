@@ -1,6 +1,7 @@
 using System.Diagnostics;
 using System.Globalization;
 using System.Net;
+using NeuronMocap.Commands;
 using NeuronMocap.Protocol;
 using NeuronMocap.Server.Broadcasting;
 using NeuronMocap.Server.Clients;
@@ -134,9 +135,9 @@ public sealed partial class Broadcaster : IDisposable, IAsyncDisposable
 
     /// <summary>Gets which sensors an avatar wears.</summary>
     /// <param name="avatarIndex">Index of the avatar, from 0.</param>
-    /// <returns>The last value given to <see cref="SetCombinationMode"/>; <see cref="SensorCombination.FullBody"/> at first.</returns>
+    /// <returns>The last value given to <see cref="SetCombinationMode"/>; <see cref="CombinationMode.FullBody"/> at first.</returns>
     /// <exception cref="ArgumentOutOfRangeException">The avatar does not exist.</exception>
-    public SensorCombination GetCombinationMode(int avatarIndex) => GetReplies(avatarIndex).GetMode(avatarIndex);
+    public CombinationMode GetCombinationMode(int avatarIndex) => GetReplies(avatarIndex).GetMode(avatarIndex);
 
     /// <summary>
     /// Sets which sensors an avatar wears. Clients read the value with <see cref="DataCommandId.CombinationMode"/>; the frames do not change.
@@ -148,7 +149,7 @@ public sealed partial class Broadcaster : IDisposable, IAsyncDisposable
     /// <param name="avatarIndex">Index of the avatar, from 0.</param>
     /// <param name="mode">The sensors that the avatar wears. Any number is accepted, for tests of clients.</param>
     /// <exception cref="ArgumentOutOfRangeException">The avatar does not exist.</exception>
-    public void SetCombinationMode(int avatarIndex, SensorCombination mode)
+    public void SetCombinationMode(int avatarIndex, CombinationMode mode)
     {
         if (!GetReplies(avatarIndex).SetMode(avatarIndex, mode))
             return;

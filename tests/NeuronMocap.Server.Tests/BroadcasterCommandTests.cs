@@ -72,7 +72,7 @@ public sealed class BroadcasterCommandTests
         await SendAsync(client, Requests.Create(3, 0));
 
         // A rate below one half is reported as 0.
-        Assert.Equal(0, Assert.Single((await ReadRepliesAsync(client, 1)).Replies).Frequency);
+        Assert.Equal(0, Assert.Single((await ReadRepliesAsync(client, 1)).Replies).FrameRate);
     }
 
     [Fact]
@@ -101,21 +101,21 @@ public sealed class BroadcasterCommandTests
         await SendAsync(client, Requests.Create(7, 6));
         Assert.Equal([(0, 2), (1, 2)], await ReadModesAsync(client, 2));
 
-        broadcaster.SetCombinationMode(1, SensorCombination.ArmOnly);
+        broadcaster.SetCombinationMode(1, CombinationMode.ArmOnly);
         Assert.Equal([(1, 0)], await ReadModesAsync(client, 1));
-        broadcaster.SetCombinationMode(1, SensorCombination.ArmOnly);
-        broadcaster.SetCombinationMode(0, SensorCombination.UpperBody);
+        broadcaster.SetCombinationMode(1, CombinationMode.ArmOnly);
+        broadcaster.SetCombinationMode(0, CombinationMode.UpperBody);
         Assert.Equal([(0, 1)], await ReadModesAsync(client, 1));
-        Assert.Equal(SensorCombination.UpperBody, broadcaster.GetCombinationMode(0));
+        Assert.Equal(CombinationMode.UpperBody, broadcaster.GetCombinationMode(0));
 
         // A following request shows that nothing else is in transit.
         await SendAsync(client, [.. Requests.Create(8, 6), .. Requests.Create(5, 0)]);
         Assert.Equal(DataCommandId.AvatarCount, Assert.Single((await ReadRepliesAsync(client, 1)).Replies).Id);
-        broadcaster.SetCombinationMode(0, SensorCombination.FullBody);
+        broadcaster.SetCombinationMode(0, CombinationMode.FullBody);
         await SendAsync(client, Requests.Create(6, 0));
         Assert.Equal([(0, 2)], await ReadModesAsync(client, 1));
         await AssertSentAsync(broadcaster, replies: 6);
-        Assert.Throws<ArgumentOutOfRangeException>(() => broadcaster.SetCombinationMode(2, SensorCombination.FullBody));
+        Assert.Throws<ArgumentOutOfRangeException>(() => broadcaster.SetCombinationMode(2, CombinationMode.FullBody));
         Assert.Throws<ArgumentOutOfRangeException>(() => broadcaster.GetCombinationMode(-1));
     }
 
@@ -182,7 +182,7 @@ public sealed class BroadcasterCommandTests
         await SendAsync(client, [.. Requests.Create(5, 0), .. Requests.Create(7, 6)]);
         for (int i = 0; i < 100; i++)
         {
-            broadcaster.SetCombinationMode(0, (SensorCombination)(i % 2));
+            broadcaster.SetCombinationMode(0, (CombinationMode)(i % 2));
             Assert.True(MotionHeader.TryRead((await client.ReadAsync())!, out _));
         }
 
@@ -232,19 +232,19 @@ public sealed class BroadcasterCommandTests
     {
         await using Broadcaster broadcaster = Started(Options(300, avatars: 3));
         await using var reader = new NeuronReader("127.0.0.1", broadcaster.LocalEndPoint!.Port);
-        var modes = new System.Collections.Concurrent.ConcurrentQueue<(int? Avatar, SensorCombination? Mode)>();
+        var modes = new System.Collections.Concurrent.ConcurrentQueue<(int? Avatar, CombinationMode? Mode)>();
         reader.DataCommands.Received += reply => modes.Enqueue((reply.AvatarIndex, reply.CombinationMode));
         reader.Start();
         await Limits.UntilAsync(() => reader.Status.IsConnected);
         CancellationToken cancellationToken = TestContext.Current.CancellationToken;
 
         Assert.Equal(3, await reader.DataCommands.GetAvatarCountAsync(cancellationToken));
-        Assert.Equal(300, await reader.DataCommands.GetFrequencyAsync(2, cancellationToken));
+        Assert.Equal(300, await reader.DataCommands.GetFrameRateAsync(2, cancellationToken));
         Assert.Equal(59, (await reader.DataCommands.GetBoneSizesAsync(1, cancellationToken)).Count);
         Assert.StartsWith("HIERARCHY", await reader.DataCommands.GetBvhTextAsync(0, cancellationToken), StringComparison.Ordinal);
         Assert.True(reader.DataCommands.TryRegister(DataCommandId.CombinationMode));
-        broadcaster.SetCombinationMode(2, SensorCombination.UpperBody);
-        await Limits.UntilAsync(() => modes.Contains((2, SensorCombination.UpperBody)));
+        broadcaster.SetCombinationMode(2, CombinationMode.UpperBody);
+        await Limits.UntilAsync(() => modes.Contains((2, CombinationMode.UpperBody)));
         Assert.Equal(0, reader.GetStatistics().BytesSkipped);
     }
 

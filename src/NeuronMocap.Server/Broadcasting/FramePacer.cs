@@ -49,11 +49,11 @@ internal sealed class FramePacer(
     // so that spreading never delays a frame.
     private bool WaitFor(double due, FrameClock clock, long spreadUntil)
     {
-        lock (Gate)
+        lock (Lock)
         {
             int delay;
             while (!IsStopping && (delay = GetDelay(due, clock, spreadUntil)) > 0)
-                _time.Wait(Gate, delay);
+                _time.Wait(Lock, delay);
 
             _published = _time.Now;
             return !IsStopping;

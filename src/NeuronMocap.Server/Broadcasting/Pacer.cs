@@ -17,17 +17,17 @@ internal abstract class Pacer
     public Worker Worker { get; }
 
     // Pulsed when the broadcast is stopped.
-    protected object Gate { get; } = new();
+    protected object Lock { get; } = new();
 
     // Read and written under the gate.
     protected bool IsStopping { get; private set; }
 
     public void Stop()
     {
-        lock (Gate)
+        lock (Lock)
         {
             IsStopping = true;
-            Monitor.PulseAll(Gate);
+            Monitor.PulseAll(Lock);
         }
     }
 

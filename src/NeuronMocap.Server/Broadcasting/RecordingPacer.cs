@@ -48,10 +48,10 @@ internal sealed class RecordingPacer(
 
     private bool WaitFor(TimeSpan due)
     {
-        lock (Gate)
+        lock (Lock)
         {
             while (!IsStopping && _clock.DueAt(due) is var instant && instant > _time.Now)
-                _time.Wait(Gate, instant);
+                _time.Wait(Lock, instant);
 
             _clock.Reach(due, _time.Now);
             return !IsStopping;

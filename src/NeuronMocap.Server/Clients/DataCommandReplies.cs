@@ -1,5 +1,6 @@
 using System.Buffers.Binary;
 using System.Text;
+using NeuronMocap.Commands;
 using NeuronMocap.Protocol;
 using NeuronMocap.Server.Broadcasting;
 using NeuronMocap.Server.Sources;
@@ -15,7 +16,7 @@ internal sealed class DataCommandReplies(FramePlan plan, int? lengthField)
     private const int LengthOffset = 6;
     private const int BoneNameSize = 60;
 
-    private readonly int[] _modes = [.. Enumerable.Repeat((int)SensorCombination.FullBody, plan.AvatarCount)];
+    private readonly int[] _modes = [.. Enumerable.Repeat((int)CombinationMode.FullBody, plan.AvatarCount)];
 
     // Created on the first request. Two threads may create the same reply, and either one may be kept.
     private readonly byte[]?[] _boneSizes = new byte[]?[plan.AvatarCount];
@@ -33,10 +34,10 @@ internal sealed class DataCommandReplies(FramePlan plan, int? lengthField)
     public bool Has(DataCommandId id, int avatar) =>
         id == DataCommandId.AvatarCount || (uint)avatar < (uint)CountValues(id);
 
-    public SensorCombination GetMode(int avatar) => (SensorCombination)Volatile.Read(ref _modes[avatar]);
+    public CombinationMode GetMode(int avatar) => (CombinationMode)Volatile.Read(ref _modes[avatar]);
 
     // Returns whether the value changed.
-    public bool SetMode(int avatar, SensorCombination mode) => Interlocked.Exchange(ref _modes[avatar], (int)mode) != (int)mode;
+    public bool SetMode(int avatar, CombinationMode mode) => Interlocked.Exchange(ref _modes[avatar], (int)mode) != (int)mode;
 
     public int Measure(DataCommandId id, int avatar) => ProtocolConstants.HeaderSize + GetPayload(id, avatar).Length;
 

@@ -141,7 +141,7 @@ internal sealed class BvhInspection(string path, IProgress<double> progress)
             return;
         }
 
-        RowScan scan = RowScan.Run(document.Joints, document.ChannelCount, document.FrameCount, document.GetFrame, cancellationToken);
+        RowScan scan = RowScan.Run(document.Joints, document.ChannelCount, document.FrameCount, document.GetValues, cancellationToken);
         RowWarnings.Add(section, scan, document.FrameRate, document.ChannelCount);
         if (map is { Layout.HasDisplacement: true })
             AddDisplacement(section, map);

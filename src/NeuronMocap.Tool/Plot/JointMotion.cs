@@ -52,7 +52,7 @@ internal sealed class JointMotion : PointMotion
 
     public override void GetPoints(long frame, Span<Vector3> points)
     {
-        ReadOnlySpan<float> row = _document.GetFrame(checked((int)frame));
+        ReadOnlySpan<float> row = _document.GetValues(checked((int)frame));
         foreach (BvhJoint joint in _document.Joints)
         {
             Matrix4x4 local = GetLocal(joint, row);

@@ -39,7 +39,7 @@ public sealed class DataCommandReply
     public ReadOnlyMemory<byte> Payload => _packet.AsMemory(ProtocolConstants.HeaderSize);
 
     /// <summary>
-    /// The avatar, from 0, of a frequency or a combination mode. It is not known whether other replies contain their avatar.
+    /// The avatar, from 0, of a frame rate or a combination mode. It is not known whether other replies contain their avatar.
     /// </summary>
     public int? AvatarIndex => Id is DataCommandId.DataFrequency or DataCommandId.CombinationMode ? Header.Parameter : null;
 
@@ -47,10 +47,10 @@ public sealed class DataCommandReply
     public int? AvatarCount => Id == DataCommandId.AvatarCount ? Header.Parameter : null;
 
     /// <summary>Frames per second of the avatar.</summary>
-    public int? Frequency => Id == DataCommandId.DataFrequency ? Header.Value : null;
+    public int? FrameRate => Id == DataCommandId.DataFrequency ? Header.Value : null;
 
     /// <summary>The set of sensors that the avatar wears. Servers can send numbers that the enumeration does not contain.</summary>
-    public SensorCombination? CombinationMode => Id == DataCommandId.CombinationMode ? (SensorCombination)Header.Value : null;
+    public CombinationMode? CombinationMode => Id == DataCommandId.CombinationMode ? (CombinationMode)Header.Value : null;
 
     /// <summary>The avatar's hierarchy as the text of a BVH file.</summary>
     public string? BvhText => Id == DataCommandId.BvhText ? ReadText(Payload.Span) : null;

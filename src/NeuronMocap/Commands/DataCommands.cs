@@ -130,20 +130,20 @@ public sealed class DataCommands
     public async Task<int> GetAvatarCountAsync(CancellationToken cancellationToken = default) =>
         (await RequestAsync(DataCommandId.AvatarCount, avatarIndex: 0, cancellationToken).ConfigureAwait(false)).AvatarCount!.Value;
 
-    /// <summary>Gets an avatar's frequency. Replies for other avatars are ignored.</summary>
+    /// <summary>Gets an avatar's frame rate. Replies for other avatars are ignored.</summary>
     /// <param name="avatarIndex">Number of the avatar on the server, from 0.</param>
     /// <param name="cancellationToken">Ends the wait with an <see cref="OperationCanceledException"/>.</param>
     /// <returns>Frames per second.</returns>
     /// <exception cref="NeuronCommandException">The request could not be sent, no reply came in time, or the connection ended.</exception>
-    public async Task<int> GetFrequencyAsync(int avatarIndex = 0, CancellationToken cancellationToken = default) =>
-        (await RequestAsync(DataCommandId.DataFrequency, avatarIndex, cancellationToken).ConfigureAwait(false)).Frequency!.Value;
+    public async Task<int> GetFrameRateAsync(int avatarIndex = 0, CancellationToken cancellationToken = default) =>
+        (await RequestAsync(DataCommandId.DataFrequency, avatarIndex, cancellationToken).ConfigureAwait(false)).FrameRate!.Value;
 
     /// <summary>Gets the set of sensors that an avatar wears. Replies for other avatars are ignored.</summary>
     /// <param name="avatarIndex">Number of the avatar on the server, from 0.</param>
     /// <param name="cancellationToken">Ends the wait with an <see cref="OperationCanceledException"/>.</param>
     /// <returns>The mode. Servers can send numbers that the enumeration does not contain.</returns>
     /// <exception cref="NeuronCommandException">The request could not be sent, no reply came in time, or the connection ended.</exception>
-    public async Task<SensorCombination> GetCombinationModeAsync(int avatarIndex = 0, CancellationToken cancellationToken = default) =>
+    public async Task<CombinationMode> GetCombinationModeAsync(int avatarIndex = 0, CancellationToken cancellationToken = default) =>
         (await RequestAsync(DataCommandId.CombinationMode, avatarIndex, cancellationToken).ConfigureAwait(false)).CombinationMode!.Value;
 
     // Receive thread.

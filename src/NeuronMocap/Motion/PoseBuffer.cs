@@ -43,7 +43,7 @@ public sealed class PoseBuffer
     /// Number of frames dropped because the buffer was full. Either no thread sampled for a long time, or the delay is too long for the capacity.
     /// Thread-safe.
     /// </summary>
-    public long DroppedCount => Interlocked.Read(ref _dropped);
+    public long Dropped => Interlocked.Read(ref _dropped);
 
     /// <summary>
     /// Seconds from one received frame to the next on the sender's clock, averaged over the latest frames; 0 until known. Read it on the sampling

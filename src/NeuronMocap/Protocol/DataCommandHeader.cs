@@ -33,7 +33,7 @@ public readonly record struct DataCommandHeader
     /// </remarks>
     public int Parameter { get; init; }
 
-    /// <summary>The second parameter, in replies only: frames per second, or the <see cref="SensorCombination"/>.</summary>
+    /// <summary>The second parameter, in replies only: frames per second, or the <see cref="Commands.CombinationMode"/>.</summary>
     public int Value { get; init; }
 
     /// <summary>

@@ -98,7 +98,7 @@ internal sealed class FootHold(FootLeg leg)
         Leg.Bend(pose, Target, Turn(options) * Leg.Rotation);
     }
 
-    private static double Part(double elapsed, double seconds) => elapsed < seconds ? elapsed / seconds : 1;
+    private static double Part(double elapsed, TimeSpan time) => elapsed < time.TotalSeconds ? elapsed / time.TotalSeconds : 1;
 
     private static float Smooth(double part) => (float)(part * part * (3 - (2 * part)));
 

@@ -3,25 +3,25 @@ namespace NeuronMocap.Retargeting;
 /// <summary>Options for foot planting. They are read for each frame, on the thread that retargets. Change them on that thread at any time.</summary>
 public sealed class FootPlanterOptions
 {
-    private double _blendIn = 0.1;
-    private double _blendOut = 0.2;
+    private TimeSpan _blendIn = TimeSpan.FromSeconds(0.1);
+    private TimeSpan _blendOut = TimeSpan.FromSeconds(0.2);
     private float? _groundHeight = 0;
-    private float _largestHipsShift = 0.1f;
+    private float _maxHipsShift = 0.1f;
 
     /// <summary>
-    /// Gets or sets how long a foot takes to settle on the ground after contact begins, in seconds. The default is 0.1. Horizontally, the foot is
+    /// Gets or sets how long a foot takes to settle on the ground after contact begins. The default is 0.1 s. Horizontally, the foot is
     /// still from the first frame of the contact.
     /// </summary>
-    /// <exception cref="ArgumentOutOfRangeException">The value is negative or not finite.</exception>
-    public double BlendIn
+    /// <exception cref="ArgumentOutOfRangeException">The value is negative.</exception>
+    public TimeSpan BlendIn
     {
         get => _blendIn;
         set => _blendIn = Checked(value, nameof(value));
     }
 
-    /// <summary>Gets or sets how long a foot takes to follow the actor again after contact ends, in seconds. The default is 0.2.</summary>
-    /// <exception cref="ArgumentOutOfRangeException">The value is negative or not finite.</exception>
-    public double BlendOut
+    /// <summary>Gets or sets how long a foot takes to follow the actor again after contact ends. The default is 0.2 s.</summary>
+    /// <exception cref="ArgumentOutOfRangeException">The value is negative.</exception>
+    public TimeSpan BlendOut
     {
         get => _blendOut;
         set => _blendOut = Checked(value, nameof(value));
@@ -50,8 +50,8 @@ public sealed class FootPlanterOptions
     /// <exception cref="ArgumentOutOfRangeException">The value is less than 0 or greater than 1.</exception>
     public float MaxHipsShift
     {
-        get => _largestHipsShift;
-        set => _largestHipsShift = value is >= 0 and <= 1
+        get => _maxHipsShift;
+        set => _maxHipsShift = value is >= 0 and <= 1
             ? value
             : throw new ArgumentOutOfRangeException(nameof(value), value, "The fraction must be between 0 and 1.");
     }
@@ -59,9 +59,9 @@ public sealed class FootPlanterOptions
     /// <summary>Gets or sets how a foot is turned while it is planted.</summary>
     public FootRotation FootRotation { get; set; }
 
-    private static double Checked(double seconds, string name) => seconds >= 0 && !double.IsInfinity(seconds)
-        ? seconds
-        : throw new ArgumentOutOfRangeException(name, seconds, "The time must be a number of seconds, 0 or more.");
+    private static TimeSpan Checked(TimeSpan time, string name) => time >= TimeSpan.Zero
+        ? time
+        : throw new ArgumentOutOfRangeException(name, time, "The time must not be negative.");
 }
 
 /// <summary>Specifies how a foot is turned while it is planted.</summary>

@@ -16,7 +16,7 @@ public static class HumanoidMap
     /// </param>
     /// <returns>A bone of the stream, or null for toes, eyes and jaw, which stay at rest.</returns>
     /// <exception cref="ArgumentOutOfRangeException">The bone is not defined.</exception>
-    public static Bone? GetSource(HumanoidBone bone, SkeletonVariant variant, HumanoidBoneSet present)
+    public static Bone? GetBone(HumanoidBone bone, SkeletonVariant variant, HumanoidBoneSet present)
     {
         Bone topOfSpine = variant == SkeletonVariant.Spine3 ? Bone.Neck : Bone.Spine2;
         bool hasChest = present.Contains(HumanoidBone.Chest);

@@ -26,7 +26,7 @@ internal static class RetargetLinks
 
     private static int GetSource(TargetRig rig, int node, SkeletonVariant variant, HumanoidBoneSet present)
     {
-        Bone? source = rig.GetHumanoidBone(node) is { } bone ? HumanoidMap.GetSource(bone, variant, present) : rig.GetBone(node);
+        Bone? source = rig.GetHumanoidBone(node) is { } bone ? HumanoidMap.GetBone(bone, variant, present) : rig.GetBone(node);
         return source is { } found ? (int)found : -1;
     }
 

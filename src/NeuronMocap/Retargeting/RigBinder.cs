@@ -24,35 +24,35 @@ public static class RigBinder
     /// </param>
     /// <param name="suffix">What the names end with.</param>
     /// <param name="variant">How the stream divides spine and neck.</param>
-    /// <param name="given">Full node names, for bones whose names follow no rule. These bones are searched for under no other name.</param>
+    /// <param name="overrides">Full node names, for bones whose names follow no rule. These bones are searched for under no other name.</param>
     /// <returns>The bones that were found, and those that were not.</returns>
     public static RigBinding Bind(
         IReadOnlyList<string> nodeNames,
         string? prefix = null,
         string suffix = "",
         SkeletonVariant variant = SkeletonVariant.Neck1,
-        IReadOnlyDictionary<Bone, string>? given = null)
+        IReadOnlyDictionary<Bone, string>? overrides = null)
     {
         ArgumentNullException.ThrowIfNull(nodeNames);
         ArgumentNullException.ThrowIfNull(suffix);
         if (prefix is not null)
-            return BindWith(nodeNames, prefix, suffix, variant, given);
+            return BindWith(nodeNames, prefix, suffix, variant, overrides);
 
         return GuessPrefixes(nodeNames, suffix)
             .Append("")
-            .Select(guess => BindWith(nodeNames, guess, suffix, variant, given))
+            .Select(guess => BindWith(nodeNames, guess, suffix, variant, overrides))
             .Aggregate(static (best, next) => next.FoundCount > best.FoundCount ? next : best);
     }
 
     private static RigBinding BindWith(
-        IReadOnlyList<string> names, string prefix, string suffix, SkeletonVariant variant, IReadOnlyDictionary<Bone, string>? given)
+        IReadOnlyList<string> names, string prefix, string suffix, SkeletonVariant variant, IReadOnlyDictionary<Bone, string>? overrides)
     {
         NodeName[] read = [.. names.Select(name => NodeName.Read(Strip(name, prefix, suffix)))];
         int[] nodes = new int[BoneHierarchy.BoneCount];
         List<RigAmbiguity> ambiguities = [];
         foreach (Bone bone in BoneHierarchy.Bones)
         {
-            List<int> found = given is not null && given.TryGetValue(bone, out string? whole)
+            List<int> found = overrides is not null && overrides.TryGetValue(bone, out string? whole)
                 ? Where(names.Count, i => string.Equals(names[i], whole, StringComparison.Ordinal))
                 : Find(bone, names, read, prefix, suffix, variant);
             nodes[(int)bone] = found.Count > 0 ? found[0] : -1;

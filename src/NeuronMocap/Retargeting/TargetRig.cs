@@ -124,7 +124,7 @@ public sealed partial class TargetRig
         int[] humanoid = new int[HumanoidBones.Count];
         for (int bone = 0; bone < humanoid.Length; bone++)
         {
-            humanoid[bone] = HumanoidMap.GetSource((HumanoidBone)bone, SkeletonVariant.Neck1, HumanoidBoneSet.All) is { } source
+            humanoid[bone] = HumanoidMap.GetBone((HumanoidBone)bone, SkeletonVariant.Neck1, HumanoidBoneSet.All) is { } source
                 ? map[(int)source]
                 : None;
         }

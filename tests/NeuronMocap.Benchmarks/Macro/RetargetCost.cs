@@ -75,7 +75,7 @@ internal static class RetargetCost
 
     private static Vector3 WayTo(HumanoidBone bone) => bone is HumanoidBone.LeftToes or HumanoidBone.RightToes
         ? new Vector3(0, -0.08f, 0.12f)
-        : HumanoidMap.GetSource(bone, SkeletonVariant.Neck1, HumanoidBoneSet.All) is { } source
+        : HumanoidMap.GetBone(bone, SkeletonVariant.Neck1, HumanoidBoneSet.All) is { } source
             ? UnityAxes.ToUnityPosition(DefaultOffsets.Get(source))
             : new Vector3(0, 0.05f, 0.05f);
 

@@ -39,7 +39,7 @@ public sealed class MonoBvhTests
                 int different = 0;
                 for (int i = 0; i < values.Length; i++)
                 {
-                    float value = read.GetFrame(i).ToArray()[0];
+                    float value = read.GetValues(i).ToArray()[0];
                     bool isSame = BitConverter.ToInt32(BitConverter.GetBytes(value), 0) == BitConverter.ToInt32(BitConverter.GetBytes(values[i]), 0);
                     different += isSame || (float.IsNaN(value) && float.IsNaN(values[i])) ? 0 : 1;
                 }
@@ -63,7 +63,7 @@ public sealed class MonoBvhTests
                 uint sum = 0;
                 for (int i = 0; i < document.FrameCount; i++)
                 {
-                    float value = document.GetFrame(i).ToArray()[0];
+                    float value = document.GetValues(i).ToArray()[0];
                     sum = sum * 31 + (float.IsNaN(value) ? 1 : BitConverter.ToUInt32(BitConverter.GetBytes(value), 0));
                 }
 
@@ -96,7 +96,7 @@ public sealed class MonoBvhTests
             BvhDocument document = BvhDocument.Load(path);
             uint sum = 0;
             for (int i = 0; i < document.FrameCount; i++)
-                sum = (sum * 31) + (float.IsNaN(document.GetFrame(i)[0]) ? 1 : BitConverter.SingleToUInt32Bits(document.GetFrame(i)[0]));
+                sum = (sum * 31) + (float.IsNaN(document.GetValues(i)[0]) ? 1 : BitConverter.SingleToUInt32Bits(document.GetValues(i)[0]));
 
             Assert.Equal(Words().Count(), document.FrameCount);
             Assert.Equal([$"{document.FrameCount} {document.RepairCount} {sum} {document.FrameTime}"], await program.RunAsync(path));

@@ -150,7 +150,7 @@ public sealed class RetargetingPictureTests
 
         public Vector3 ActorWay(HumanoidBone from, HumanoidBone to)
         {
-            Vector3 Of(HumanoidBone bone) => World[(int)HumanoidMap.GetSource(bone, body.Variant, rig.Bones)!.Value].Position;
+            Vector3 Of(HumanoidBone bone) => World[(int)HumanoidMap.GetBone(bone, body.Variant, rig.Bones)!.Value].Position;
             return Vector3.Normalize(UnityAxes.ToUnityPosition(Of(to) - Of(from)));
         }
 

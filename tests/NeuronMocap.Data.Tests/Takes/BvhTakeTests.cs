@@ -36,7 +36,7 @@ public class BvhTakeTests
         Assert.Equal(180, map.Layout.ValueCount);
         float[] values = new float[180];
         map.CopyValues(2155, values);
-        AssertBits(document.GetFrame(2155), values);
+        AssertBits(document.GetValues(2155), values);
     }
 
     [Fact]

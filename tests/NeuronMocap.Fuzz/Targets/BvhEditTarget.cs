@@ -56,7 +56,7 @@ internal static class BvhEditTarget
             case 7:
                 return document.WithVariant(random.Below(2) == 0 ? SkeletonVariant.Neck1 : SkeletonVariant.Spine3);
             default:
-                return BvhEditing.Join([document, document], isAligned: random.Below(2) == 0);
+                return BvhEditing.Join([document, document], align: random.Below(2) == 0);
         }
     }
 
@@ -85,7 +85,7 @@ internal static class BvhEditTarget
         for (int frame = 0; frame < document.FrameCount; frame++)
         {
             WrongResultException.ThrowUnless(IsSame(document, again, frame), "What was written has other values in frame {0}.", frame);
-            input.Digest.Add((long)FloatBits.Sum(document.GetFrame(frame)));
+            input.Digest.Add((long)FloatBits.Sum(document.GetValues(frame)));
         }
     }
 
@@ -97,7 +97,7 @@ internal static class BvhEditTarget
             (BvhJoint first, BvhJoint second) = (document.Joints[i], again.Joints[i]);
             bool isSame = first.Channels.Count == second.Channels.Count
                 && FloatBits.AreSame(
-                    document.GetFrame(frame).Slice(first.FirstChannel, first.Channels.Count), again.GetFrame(frame).Slice(second.FirstChannel, second.Channels.Count));
+                    document.GetValues(frame).Slice(first.FirstChannel, first.Channels.Count), again.GetValues(frame).Slice(second.FirstChannel, second.Channels.Count));
             if (!isSame)
                 return false;
         }

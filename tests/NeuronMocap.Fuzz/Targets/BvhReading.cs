@@ -18,7 +18,7 @@ internal static class BvhReading
         for (int frame = 0; frame < document.FrameCount; frame++)
         {
             bool isSame = reader.TryReadFrame(row)
-                && MemoryMarshal.AsBytes(row).SequenceEqual(MemoryMarshal.AsBytes(document.GetFrame(frame)));
+                && MemoryMarshal.AsBytes(row).SequenceEqual(MemoryMarshal.AsBytes(document.GetValues(frame)));
             WrongResultException.ThrowUnless(isSame, "Pieces make another row.");
         }
 

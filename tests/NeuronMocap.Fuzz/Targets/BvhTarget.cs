@@ -65,7 +65,7 @@ internal static class BvhTarget
         input.Digest.Add(document.FrameRate);
         input.Digest.Add(document.DeclaredFrameTime);
         for (int frame = 0; frame < document.FrameCount; frame++)
-            input.Digest.Add(document.GetFrame(frame));
+            input.Digest.Add(document.GetValues(frame));
     }
 
     private static void CheckRepairs(BvhDocument document, FuzzInput input)

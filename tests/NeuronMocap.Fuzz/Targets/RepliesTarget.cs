@@ -27,7 +27,7 @@ internal sealed class RepliesTarget
         WrongResultException.ThrowUnless(reply.Packet.Span.SequenceEqual(packet), "A reply holds other bytes than its packet.");
         input.Found++;
         input.Digest.Add((long)reply.Id);
-        input.Digest.Add((reply.AvatarIndex ?? -1L) + (reply.AvatarCount ?? 0) + (reply.Frequency ?? 0) + (long)reply.CombinationMode.GetValueOrDefault());
+        input.Digest.Add((reply.AvatarIndex ?? -1L) + (reply.AvatarCount ?? 0) + (reply.FrameRate ?? 0) + (long)reply.CombinationMode.GetValueOrDefault());
         input.Digest.Add(reply.BvhText);
         foreach (BoneSize bone in reply.BoneSizes ?? [])
         {

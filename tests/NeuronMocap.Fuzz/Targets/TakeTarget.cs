@@ -47,6 +47,6 @@ internal sealed class TakeTarget
         var take = BvhDocument.Parse(file.ToArray());
         WrongResultException.ThrowUnless(take.FrameCount == writer.FrameCount, "{0} rows are reported but {1} are written.", writer.FrameCount, take.FrameCount);
         for (int frame = 0; frame < take.FrameCount; frame++)
-            input.Digest.Add((long)FloatBits.Sum(take.GetFrame(frame)));
+            input.Digest.Add((long)FloatBits.Sum(take.GetValues(frame)));
     }
 }

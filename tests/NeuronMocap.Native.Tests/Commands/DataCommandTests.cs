@@ -1,4 +1,5 @@
 using System.Globalization;
+using NeuronMocap.Commands;
 using NeuronMocap.Native.Tests.Generations;
 using NeuronMocap.Native.Tests.Infrastructure;
 using NeuronMocap.Server;
@@ -44,12 +45,12 @@ public sealed class DataCommandTests
         // Watched values are also reported at once.
         Assert.Equal("1", await program.CallAsync($"watch {socket} 6"));
         Assert.Equal([ModeOf(socket, 0, 2), ModeOf(socket, 1, 2)], [await program.ReadAsync("answer"), await program.ReadAsync("answer")]);
-        server.SetCombinationMode(1, SensorCombination.ArmOnly);
+        server.SetCombinationMode(1, CombinationMode.ArmOnly);
         Assert.Equal(ModeOf(socket, 1, 0), await program.ReadAsync("answer"));
         Assert.Equal("1", await program.CallAsync($"unwatch {socket} 6"));
         Assert.Equal("1", await program.CallAsync($"fetch {socket} 5"));
         await program.ReadAsync("answer");
-        server.SetCombinationMode(0, SensorCombination.UpperBody);
+        server.SetCombinationMode(0, CombinationMode.UpperBody);
         Assert.Equal("1", await program.CallAsync($"fetch {socket} 5"));
         Assert.Contains(" id 5 ", await program.ReadAsync("answer"), StringComparison.Ordinal);
         await program.ReadAsync("frame");

@@ -3,6 +3,9 @@ namespace NeuronMocap.Native.Tests.Processes;
 // The program's view of memory: what the library does to it, and that memory checkers work with the library.
 public sealed class MemoryTests
 {
+    // Valgrind runs one thread at a time, and each many times slower.
+    private static readonly TimeSpan ValgrindLimit = 10 * Limits.Unexpected;
+
     [Theory]
     [InlineData("misuse")]
     [InlineData("floating")]
@@ -21,7 +24,7 @@ public sealed class MemoryTests
         const string valgrind = "/usr/bin/valgrind";
         Assert.SkipUnless(File.Exists(valgrind), "valgrind is not installed.");
         ProgramRun run = await ProgramRun.InAsync(
-            valgrind, "--quiet", "--error-exitcode=9", "--child-silent-after-fork=yes", ProgramRun.PathOf("misuse"));
+            ValgrindLimit, valgrind, "--quiet", "--error-exitcode=9", "--child-silent-after-fork=yes", ProgramRun.PathOf("misuse"));
         Assert.True(run.ExitCode == 0, run.Output);
     }
 }

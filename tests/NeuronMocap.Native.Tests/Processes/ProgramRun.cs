@@ -20,7 +20,9 @@ internal sealed record ProgramRun(int ExitCode, string Output)
         return path;
     }
 
-    public static async Task<ProgramRun> InAsync(string program, params string[] arguments)
+    public static Task<ProgramRun> InAsync(string program, params string[] arguments) => InAsync(Limits.Unexpected, program, arguments);
+
+    public static async Task<ProgramRun> InAsync(TimeSpan limit, string program, params string[] arguments)
     {
         var start = new ProcessStartInfo(program, arguments)
         {
@@ -33,7 +35,8 @@ internal sealed record ProgramRun(int ExitCode, string Output)
         try
         {
             process.StandardInput.Close();
-            string[] texts = await Task.WhenAll(process.StandardOutput.ReadToEndAsync(), process.StandardError.ReadToEndAsync()).Soon();
+            string[] texts = await Task.WhenAll(process.StandardOutput.ReadToEndAsync(), process.StandardError.ReadToEndAsync())
+                .WaitAsync(limit, TestContext.Current.CancellationToken);
             await process.WaitForExitAsync(TestContext.Current.CancellationToken).Soon();
             return new ProgramRun(process.ExitCode, string.Concat(texts));
         }

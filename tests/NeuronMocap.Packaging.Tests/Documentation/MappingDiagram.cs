@@ -17,7 +17,7 @@ internal sealed class MappingDiagram
     private readonly StringBuilder _svg = new();
     private readonly Vector3[] _joints = RestPose();
     private readonly Dictionary<Bone, HumanoidBone> _targets = Enum.GetValues<HumanoidBone>()
-        .Select(static bone => (Bone: bone, Source: HumanoidMap.GetSource(bone, SkeletonVariant.Neck1, HumanoidBoneSet.All)))
+        .Select(static bone => (Bone: bone, Source: HumanoidMap.GetBone(bone, SkeletonVariant.Neck1, HumanoidBoneSet.All)))
         .Where(static pair => pair.Source is not null)
         .ToDictionary(static pair => pair.Source!.Value, static pair => pair.Bone);
 
@@ -77,7 +77,7 @@ internal sealed class MappingDiagram
             y += 16.2f;
         }
 
-        string[] resting = [.. Enum.GetValues<HumanoidBone>().Where(static bone => HumanoidMap.GetSource(bone, SkeletonVariant.Neck1, HumanoidBoneSet.All) is null).Select(HumanoidBones.GetName)];
+        string[] resting = [.. Enum.GetValues<HumanoidBone>().Where(static bone => HumanoidMap.GetBone(bone, SkeletonVariant.Neck1, HumanoidBoneSet.All) is null).Select(HumanoidBones.GetName)];
         Text(760, 75, "bone of the stream", "#444444", 12);
         Text(985, 75, "Humanoid bone", "#444444", 12);
         Text(20, 790, $"The right hand is as the left one: 16 to 35. No bone of the stream: {string.Join(", ", resting)}; they keep their rest pose.", "#444444", 13);

@@ -7,7 +7,8 @@ using NeuronMocap.Skeleton;
 
 namespace NeuronMocap.Tests.Architecture;
 
-// One convention for all options: sealed classes with setters, copied on use.
+// One convention for all options: sealed classes with setters, copied on use. RetargetOptions and FootPlanterOptions are not copied: an application changes
+// them between frames.
 public sealed class OptionsTests
 {
     public static TheoryData<Type> Options =>

@@ -47,7 +47,7 @@ public sealed class DataCommandReplyTests
         Assert.Equal(DataCommandId.BoneSize, reply.Id);
         Assert.Equal(192, reply.Payload.Length);
         Assert.Equal(Replies[0], reply.Packet.ToArray());
-        Assert.Equal((null, null, null, null, null), (reply.AvatarIndex, reply.AvatarCount, reply.Frequency, reply.CombinationMode, reply.BvhText));
+        Assert.Equal((null, null, null, null, null), (reply.AvatarIndex, reply.AvatarCount, reply.FrameRate, reply.CombinationMode, reply.BvhText));
     }
 
     [Fact]
@@ -56,9 +56,9 @@ public sealed class DataCommandReplyTests
         Assert.Equal(3, new DataCommandReply(Replies[1]).AvatarCount);
         Assert.Equal("HIERARCHY\r\nROOT Hips\r\n", new DataCommandReply(Replies[2]).BvhText);
         var frequency = new DataCommandReply(Replies[3]);
-        Assert.Equal((2, 120), (frequency.AvatarIndex, frequency.Frequency));
+        Assert.Equal((2, 120), (frequency.AvatarIndex, frequency.FrameRate));
         var mode = new DataCommandReply(Replies[4]);
-        Assert.Equal((1, SensorCombination.FullBody), (mode.AvatarIndex, mode.CombinationMode));
+        Assert.Equal((1, CombinationMode.FullBody), (mode.AvatarIndex, mode.CombinationMode));
         Assert.Null(mode.BoneSizes);
         Assert.Empty(new DataCommandReply(Replies[6]).BoneSizes!);
         Assert.Equal(string.Empty, new DataCommandReply(Replies[7]).BvhText);

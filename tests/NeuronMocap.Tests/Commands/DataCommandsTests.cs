@@ -40,7 +40,7 @@ public sealed class DataCommandsTests : IDisposable
         Task<IReadOnlyList<BoneSize>> sizes = reader.DataCommands.GetBoneSizesAsync();
         Task<int> count = reader.DataCommands.GetAvatarCountAsync();
         Task<string> text = reader.DataCommands.GetBvhTextAsync();
-        Task<SensorCombination> mode = reader.DataCommands.GetCombinationModeAsync(avatarIndex: 1);
+        Task<CombinationMode> mode = reader.DataCommands.GetCombinationModeAsync(avatarIndex: 1);
         await connection.SendPiecesAsync(
             TestPackets.Join(
                 DataReplies.CombinationMode(avatar: 0, mode: 1),
@@ -55,7 +55,7 @@ public sealed class DataCommandsTests : IDisposable
         Assert.Equal([new BoneSize("Hips", 0.5f)], await sizes.Soon());
         Assert.Equal(2, await count.Soon());
         Assert.Equal("HIERARCHY", await text.Soon());
-        Assert.Equal(SensorCombination.FullBody, await mode.Soon());
+        Assert.Equal(CombinationMode.FullBody, await mode.Soon());
         await reader.UntilAsync(static statistics => statistics.CommandPackets == 5);
         Assert.Equal((2L, 0L, 5L), (reader.GetStatistics().MotionFrames, reader.GetStatistics().BytesSkipped, reader.GetStatistics().CallbackFailures));
         Assert.Equal(
@@ -70,7 +70,7 @@ public sealed class DataCommandsTests : IDisposable
         await using NeuronReader reader = await ConnectAsync();
         using TestConnection connection = await _server.AcceptAsync();
 
-        Task<int>[] frequencies = [.. Enumerable.Range(0, Avatars).Select(avatar => Task.Run(() => reader.DataCommands.GetFrequencyAsync(avatar)))];
+        Task<int>[] frequencies = [.. Enumerable.Range(0, Avatars).Select(avatar => Task.Run(() => reader.DataCommands.GetFrameRateAsync(avatar)))];
         for (int i = 0; i < Avatars; i++)
             await ReadRequestAsync(connection);
         await connection.SendAsync(TestPackets.Join(Enumerable.Range(0, Avatars).Reverse().Select(avatar => DataReplies.Frequency(avatar, 1000 + avatar))));
@@ -186,7 +186,7 @@ public sealed class DataCommandsTests : IDisposable
         await using NeuronReader reader = await ConnectAsync(reconnect);
         reader.DataCommands.Timeout = TimeSpan.FromMinutes(10);
         TestConnection connection = await _server.AcceptAsync();
-        Task[] fetches = [reader.DataCommands.GetAvatarCountAsync(), reader.DataCommands.GetBoneSizesAsync(), reader.DataCommands.GetFrequencyAsync()];
+        Task[] fetches = [reader.DataCommands.GetAvatarCountAsync(), reader.DataCommands.GetBoneSizesAsync(), reader.DataCommands.GetFrameRateAsync()];
         for (int i = 0; i < fetches.Length; i++)
             await ReadRequestAsync(connection);
 

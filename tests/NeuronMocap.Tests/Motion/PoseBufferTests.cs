@@ -47,7 +47,7 @@ public sealed class PoseBufferTests
 
         Assert.Equal(Interval, buffer.FrameInterval, 1e-6);
         Assert.True(buffer.Jitter < 1e-6);
-        Assert.Equal(0, buffer.DroppedCount);
+        Assert.Equal(0, buffer.Dropped);
     }
 
     [Fact]
@@ -266,13 +266,13 @@ public sealed class PoseBufferTests
         for (int i = 0; i < 20; i++)
             Assert.Equal(i < 8, Push(buffer, i, i * Interval, (uint)i));
 
-        Assert.Equal(12, buffer.DroppedCount);
+        Assert.Equal(12, buffer.Dropped);
         buffer.Sample(20 * Interval, _pose);
         Assert.True(Push(buffer, 20, 20 * Interval, 20));
         buffer.Sample(25 * Interval, _pose);
         Assert.InRange(Place, 19, 23);
         Assert.False(Push(buffer, 21, double.NaN, 21));
-        Assert.Equal(13, buffer.DroppedCount);
+        Assert.Equal(13, buffer.Dropped);
     }
 
     [Fact]

@@ -47,7 +47,7 @@ public sealed class PoseBufferThreadTests
 
         await writer.Soon();
         Assert.Equal(0, different);
-        Assert.Equal(Frames, pushed + buffer.DroppedCount);
+        Assert.Equal(Frames, pushed + buffer.Dropped);
     }
 
     [Fact]

@@ -115,7 +115,7 @@ public sealed class BvhExportFileTests : BvhExportTest
         Assert.Equal(read.FrameCount, Assert.Single(export.Files).FrameCount);
         Assert.InRange(read.FrameCount, 1, Sent - 1);
         Assert.InRange(export.FramesDropped, 1, Sent - read.FrameCount);
-        Assert.Equal(TestPackets.Value(read.FrameCount - 1, 0, 5), read.GetFrame(read.FrameCount - 1)[5]);
+        Assert.Equal(TestPackets.Value(read.FrameCount - 1, 0, 5), read.GetValues(read.FrameCount - 1)[5]);
 
         // Reported at once, and the reader continues.
         await Limits.UntilAsync(() => events.Any(static news => news.Id == ReaderEventId.ExportFailed));

@@ -54,7 +54,7 @@ public sealed class BvhExportTests : BvhExportTest
         Assert.Null(export.Failure);
         BvhDocument read = BvhDocument.Load(Target);
         Assert.Equal(3, read.FrameCount);
-        Assert.Equal(TestPackets.Value(2, 0, 353), read.GetFrame(2)[353]);
+        Assert.Equal(TestPackets.Value(2, 0, 353), read.GetValues(2)[353]);
         Assert.Equal(format is "studio" ? "Zrotation Xrotation Yrotation" : "Yrotation Xrotation Zrotation", string.Join(' ', read.Joints[0].Channels.Skip(3)));
         Assert.Equal(BvhBodyOrigin.Stream, export.Files[0].BodyOrigin);
     }
@@ -69,7 +69,7 @@ public sealed class BvhExportTests : BvhExportTest
 
         export = await ExportAsync(packets, new BvhExportOptions { AvatarIndex = 1, Overwrite = true });
         Assert.Equal((1, 3), (export.FramesWritten, export.FramesIgnored));
-        Assert.Equal(TestPackets.Value(0, 1, 5), BvhDocument.Load(Target).GetFrame(0)[5]);
+        Assert.Equal(TestPackets.Value(0, 1, 5), BvhDocument.Load(Target).GetValues(0)[5]);
     }
 
     [Fact]
@@ -80,7 +80,7 @@ public sealed class BvhExportTests : BvhExportTest
 
         Assert.Equal(["take-avatar1.bvh", "take-avatar3.bvh"], Folder.GetFiles().Select(static file => file.Name).Order(StringComparer.Ordinal));
         Assert.Equal([2, 1], export.Files.Select(static file => file.FrameCount));
-        Assert.Equal(TestPackets.Value(1, 3, 5), BvhDocument.Load(export.Files[0].Path).GetFrame(1)[5]);
+        Assert.Equal(TestPackets.Value(1, 3, 5), BvhDocument.Load(export.Files[0].Path).GetValues(1)[5]);
     }
 
     [Fact]
@@ -219,7 +219,7 @@ public sealed class BvhExportTests : BvhExportTest
         await reader.WaitForFramesAsync(9);
 
         BvhDocument take = BvhDocument.Load(Target);
-        Assert.Equal([3f, 4, 5, 6], Enumerable.Range(0, take.FrameCount).Select(frame => take.GetFrame(frame)[0]));
+        Assert.Equal([3f, 4, 5, 6], Enumerable.Range(0, take.FrameCount).Select(frame => take.GetValues(frame)[0]));
         Assert.Equal(4, export.FramesWritten);
     }
 

@@ -37,7 +37,7 @@ public class TakeTests
         reader.MotionReceived += frame =>
         {
             Assert.Equal((uint)row, frame.FrameIndex);
-            AssertSameBits(take.GetFrame(row++), frame.Values);
+            AssertSameBits(take.GetValues(row++), frame.Values);
         };
         await ReceiveAllAsync(reader);
         Assert.Equal(take.FrameCount, row);
@@ -61,7 +61,7 @@ public class TakeTests
         int row = 0;
         reader.MotionReceived += frame =>
         {
-            ReadOnlySpan<float> expected = take.GetFrame(row++);
+            ReadOnlySpan<float> expected = take.GetValues(row++);
             AssertSameBits([0, 0, 0, 0, 0, 0], frame.Values[..6]);
             AssertSameBits(expected[..6], frame.Values[6..12]);
             for (int bone = 1; bone < BoneHierarchy.BoneCount; bone++)

@@ -99,7 +99,7 @@ public sealed class BoneWeightsTests
         RetargetedPose humanoid = Retarget(TestRigs.Humanoid(), RandomPoses.Pose(new Random(6)), BoneWeights.Only(parts));
         foreach (HumanoidBone bone in TestRigs.Order)
         {
-            bool hasSource = HumanoidMap.GetSource(bone, SkeletonVariant.Neck1, HumanoidBoneSet.All) is not null;
+            bool hasSource = HumanoidMap.GetBone(bone, SkeletonVariant.Neck1, HumanoidBoneSet.All) is not null;
             Assert.Equal(hasSource && (HumanoidBones.GetPart(bone) & parts) != BodyParts.None, humanoid.IsDriven(humanoid.Rig.GetNode(bone)));
         }
 

@@ -45,7 +45,7 @@ public sealed class FootPlanterOptionsTests
     [InlineData(0.5, 1)]
     public void Blends_may_take_no_time_or_long(double blendIn, double blendOut)
     {
-        var planting = new FootPlanterOptions { BlendIn = blendIn, BlendOut = blendOut, FootRotation = FootRotation.Flatten };
+        var planting = new FootPlanterOptions { BlendIn = TimeSpan.FromSeconds(blendIn), BlendOut = TimeSpan.FromSeconds(blendOut), FootRotation = FootRotation.Flatten };
         FootWalk walk = FootWalk.OfActor(StandingRig.Random(new Random(4)).Create(), Rate, 8, planting: planting);
         Assert.True(walk.LargestSlide(planted: true) < FootWalk.Still, walk.Describe("Blends"));
         Assert.True(walk.LargestTurn < 100, walk.Describe("Blends"));
@@ -55,10 +55,10 @@ public sealed class FootPlanterOptionsTests
     public void Options_are_checked()
     {
         var options = new FootPlanterOptions();
-        Assert.Throws<ArgumentOutOfRangeException>(() => options.BlendIn = -1);
-        Assert.Throws<ArgumentOutOfRangeException>(() => options.BlendOut = double.NaN);
+        Assert.Throws<ArgumentOutOfRangeException>(() => options.BlendIn = TimeSpan.FromSeconds(-1));
+        Assert.Throws<ArgumentOutOfRangeException>(() => options.BlendOut = TimeSpan.FromTicks(-1));
         Assert.Throws<ArgumentOutOfRangeException>(() => options.GroundHeight = float.PositiveInfinity);
         Assert.Throws<ArgumentOutOfRangeException>(() => options.MaxHipsShift = 1.1f);
-        Assert.Equal((0.1, 0.2, 0f, 0.1f), (options.BlendIn, options.BlendOut, options.GroundHeight, options.MaxHipsShift));
+        Assert.Equal((0.1, 0.2, 0f, 0.1f), (options.BlendIn.TotalSeconds, options.BlendOut.TotalSeconds, options.GroundHeight, options.MaxHipsShift));
     }
 }

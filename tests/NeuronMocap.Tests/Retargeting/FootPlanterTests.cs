@@ -21,7 +21,7 @@ public sealed class FootPlanterTests
             FootWalk walk = FootWalk.OfActor(StandingRig.Random(random).Create(), Rate, 12, avatar: seed);
             string figures = walk.Describe($"Rig {seed}");
             Assert.True(walk.LargestSlide(planted: true) < Still, figures);
-            Assert.True(walk.LargestMove(planted: true, after: walk.Planter.Options.BlendIn) < Still, figures);
+            Assert.True(walk.LargestMove(planted: true, after: walk.Planter.Options.BlendIn.TotalSeconds) < Still, figures);
             Assert.True(walk.FramesLetGo == 0, figures);
             Assert.True(walk.MaxHipsShift <= 0.1001f * walk.Rig.LegLength, figures);
             Assert.True(walk.LeastKnee > -1e-4f, figures);

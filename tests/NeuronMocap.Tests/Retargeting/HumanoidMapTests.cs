@@ -10,12 +10,12 @@ public sealed class HumanoidMapTests
     [InlineData(SkeletonVariant.Spine3)]
     public void Fifty_of_the_bones_have_a_source(SkeletonVariant variant)
     {
-        Bone?[] sources = [.. All().Select(bone => HumanoidMap.GetSource(bone, variant, HumanoidBoneSet.All))];
+        Bone?[] sources = [.. All().Select(bone => HumanoidMap.GetBone(bone, variant, HumanoidBoneSet.All))];
         Assert.Equal(50, sources.Count(source => source is not null));
         Assert.Equal(50, sources.Where(source => source is not null).Distinct().Count());
         Assert.All(
             [HumanoidBone.LeftToes, HumanoidBone.RightToes, HumanoidBone.LeftEye, HumanoidBone.RightEye, HumanoidBone.Jaw],
-            bone => Assert.Null(HumanoidMap.GetSource(bone, variant, HumanoidBoneSet.All)));
+            bone => Assert.Null(HumanoidMap.GetBone(bone, variant, HumanoidBoneSet.All)));
     }
 
     [Theory]
@@ -31,7 +31,7 @@ public sealed class HumanoidMapTests
                 present = chest ? present : present.Without(HumanoidBone.Chest);
                 present = upperChest ? present : present.Without(HumanoidBone.UpperChest);
                 foreach (HumanoidBone bone in All().Where(present.Contains))
-                    Assert.Equal(ExpectedMap.Source(bone, variant, present), HumanoidMap.GetSource(bone, variant, present));
+                    Assert.Equal(ExpectedMap.Source(bone, variant, present), HumanoidMap.GetBone(bone, variant, present));
             }
         }
     }
@@ -105,7 +105,7 @@ public sealed class HumanoidMapTests
         {
             foreach (HumanoidBone bone in All())
             {
-                if (HumanoidMap.GetSource(bone, variant, HumanoidBoneSet.All) is { } source)
+                if (HumanoidMap.GetBone(bone, variant, HumanoidBoneSet.All) is { } source)
                     Assert.Equal(HumanoidBones.GetPart(bone), HumanoidBones.GetPart(source, variant));
             }
         }
@@ -150,7 +150,7 @@ public sealed class HumanoidMapTests
     {
         Assert.Throws<ArgumentOutOfRangeException>(() => HumanoidBones.GetName((HumanoidBone)55));
         Assert.Throws<ArgumentOutOfRangeException>(() => HumanoidBones.GetParent((HumanoidBone)(-1)));
-        Assert.Throws<ArgumentOutOfRangeException>(() => HumanoidMap.GetSource((HumanoidBone)55, SkeletonVariant.Neck1, HumanoidBoneSet.All));
+        Assert.Throws<ArgumentOutOfRangeException>(() => HumanoidMap.GetBone((HumanoidBone)55, SkeletonVariant.Neck1, HumanoidBoneSet.All));
         Assert.Throws<ArgumentOutOfRangeException>(() => HumanoidBones.GetPart((Bone)59));
     }
 

@@ -180,5 +180,5 @@ public sealed class RetargeterTests
     }
 
     private static bool IsRest(HumanoidBone bone) =>
-        HumanoidMap.GetSource(bone, SkeletonVariant.Neck1, HumanoidBoneSet.All) is null;
+        HumanoidMap.GetBone(bone, SkeletonVariant.Neck1, HumanoidBoneSet.All) is null;
 }

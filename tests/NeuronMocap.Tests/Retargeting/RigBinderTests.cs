@@ -73,9 +73,9 @@ public sealed class RigBinderTests
     {
         string[] names = ["Hips", "left_arm", "LeftArm", "Bone042"];
         Assert.Equal(2, RigBinder.Bind(names).GetNode(Bone.LeftArm));
-        Assert.Equal(3, RigBinder.Bind(names, given: new Dictionary<Bone, string> { [Bone.LeftArm] = "Bone042" }).GetNode(Bone.LeftArm));
+        Assert.Equal(3, RigBinder.Bind(names, overrides: new Dictionary<Bone, string> { [Bone.LeftArm] = "Bone042" }).GetNode(Bone.LeftArm));
 
-        RigBinding wrong = RigBinder.Bind(names, given: new Dictionary<Bone, string> { [Bone.LeftArm] = "Bone043" });
+        RigBinding wrong = RigBinder.Bind(names, overrides: new Dictionary<Bone, string> { [Bone.LeftArm] = "Bone043" });
         Assert.Contains(Bone.LeftArm, wrong.Missing);
         Assert.Equal(-1, wrong.GetNode(Bone.LeftArm));
     }

@@ -82,11 +82,11 @@ internal static class TestRigs
     // From one Humanoid bone's source to the next, in the default body. A bone without a source is slightly in front of its parent.
     private static Vector3 Offset(HumanoidBone bone)
     {
-        if (HumanoidMap.GetSource(bone, SkeletonVariant.Neck1, HumanoidBoneSet.All) is not { } source)
+        if (HumanoidMap.GetBone(bone, SkeletonVariant.Neck1, HumanoidBoneSet.All) is not { } source)
             return new Vector3(bone is HumanoidBone.LeftEye ? -0.03f : bone is HumanoidBone.RightEye ? 0.03f : 0, -0.05f, 0.1f);
 
         Vector3 offset = Vector3.Zero;
-        Bone? above = HumanoidBones.GetParent(bone) is { } parent ? HumanoidMap.GetSource(parent, SkeletonVariant.Neck1, HumanoidBoneSet.All) : null;
+        Bone? above = HumanoidBones.GetParent(bone) is { } parent ? HumanoidMap.GetBone(parent, SkeletonVariant.Neck1, HumanoidBoneSet.All) : null;
         for (Bone? step = source; step is { } one && step != above; step = BoneHierarchy.GetParent(one))
             offset += DefaultOffsets.Get(one);
 

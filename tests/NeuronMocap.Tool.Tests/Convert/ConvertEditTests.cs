@@ -77,7 +77,7 @@ public sealed class ConvertEditTests : IDisposable
 
         Assert.Equal(58, more.FrameCount);
         for (int frame = 0; frame < more.FrameCount; frame++)
-            Assert.Equal(frame / 60f * 100, more.GetFrame(frame)[2], 0.001f);
+            Assert.Equal(frame / 60f * 100, more.GetValues(frame)[2], 0.001f);
     }
 
     [Fact]

@@ -71,7 +71,7 @@ internal static class TakeComparison
 
     public static float[] Values(BvhDocument document) => [.. Enumerable.Range(0, document.FrameCount).SelectMany(frame => Row(document, frame))];
 
-    public static float[] Row(BvhDocument document, int frame) => document.GetFrame(frame).ToArray();
+    public static float[] Row(BvhDocument document, int frame) => document.GetValues(frame).ToArray();
 
     private static List<(TimeSpan Time, uint? Index, int[] Values)> Frames(string path)
     {

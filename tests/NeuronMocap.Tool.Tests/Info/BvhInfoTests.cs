@@ -36,7 +36,7 @@ public sealed class BvhInfoTests : InfoPages
             },
             displacement: true);
         var layout = new ChannelLayout(hasDisplacement: true, hasReference: false);
-        float[] values = [.. Enumerable.Range(0, take.FrameCount).SelectMany(frame => take.GetFrame(frame).ToArray())];
+        float[] values = [.. Enumerable.Range(0, take.FrameCount).SelectMany(frame => take.GetValues(frame).ToArray())];
         int head = layout.GetRotationIndex(Bone.Head);
         for (int frame = 20; frame < 40; frame++)
             (values[(frame * 354) + head], values[(frame * 354) + head + 1], values[(frame * 354) + head + 2]) = (180, 180, 180);

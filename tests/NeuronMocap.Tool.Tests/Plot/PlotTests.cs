@@ -112,7 +112,7 @@ public sealed class PlotTests : IDisposable
     public async Task Absurd_values_end_with_a_picture_of_the_usual_size(float value, bool inAllFrames, int channel)
     {
         BvhDocument take = Takes.Actor(20);
-        float[] values = [.. Enumerable.Range(0, take.FrameCount).SelectMany(frame => take.GetFrame(frame).ToArray())];
+        float[] values = [.. Enumerable.Range(0, take.FrameCount).SelectMany(frame => take.GetValues(frame).ToArray())];
         for (int i = 0; i < values.Length; i++)
         {
             bool isHit = channel < 0 || i % take.ChannelCount == channel;

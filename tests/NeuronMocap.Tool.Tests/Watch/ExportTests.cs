@@ -26,7 +26,7 @@ public sealed class ExportTests : IDisposable
         Assert.StartsWith("neuron-mocap: 3 frames of Char00 at ", line, StringComparison.Ordinal);
         Assert.EndsWith($"Hz in {Target}; lengths of the bones of the default body.", line, StringComparison.Ordinal);
         BvhDocument take = BvhDocument.Load(Target);
-        Assert.Equal([1f, 2, 4], Enumerable.Range(0, 3).Select(frame => take.GetFrame(frame)[179]));
+        Assert.Equal([1f, 2, 4], Enumerable.Range(0, 3).Select(frame => take.GetValues(frame)[179]));
     }
 
     [Fact]
@@ -72,10 +72,10 @@ public sealed class ExportTests : IDisposable
         ToolResult result = await ToolRunner.RunAsync(
             "watch", server.Address, "--once", "--quiet", "--export", Target, "--export-avatar", "all");
         Assert.Equal(2, result.Error.Length);
-        Assert.Equal(9, BvhDocument.Load(Path.Combine(_folder.FullName, "take-avatar2.bvh")).GetFrame(0)[0]);
+        Assert.Equal(9, BvhDocument.Load(Path.Combine(_folder.FullName, "take-avatar2.bvh")).GetValues(0)[0]);
 
         await ToolRunner.RunAsync("watch", server.Address, "--once", "--quiet", "--export", Target, "--export-avatar", "2");
-        Assert.Equal(9, BvhDocument.Load(Target).GetFrame(0)[0]);
+        Assert.Equal(9, BvhDocument.Load(Target).GetValues(0)[0]);
     }
 
     [Fact]
@@ -159,7 +159,7 @@ public sealed class ExportTests : IDisposable
         Assert.True(after.FrameCount >= before.FrameCount, $"{after.FrameCount} of {before.FrameCount} rows.");
         Assert.Equal(before.ChannelCount, after.ChannelCount);
         for (int frame = 0; frame < before.FrameCount; frame++)
-            Assert.True(before.GetFrame(frame).SequenceEqual(after.GetFrame(frame)), $"Row {frame} differs.");
+            Assert.True(before.GetValues(frame).SequenceEqual(after.GetValues(frame)), $"Row {frame} differs.");
 
         // The declared number of frames, on which other programs rely, never exceeds the number of rows.
         string declared = File.ReadLines(Target).First(static line => line.StartsWith("Frames:", StringComparison.Ordinal));

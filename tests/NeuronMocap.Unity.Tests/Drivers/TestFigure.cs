@@ -31,7 +31,7 @@ internal sealed class TestFigure
         var human = new List<HumanBone>();
         for (int index = 0; index < HumanoidBones.Count; index++)
         {
-            if (HumanoidMap.GetSource((HumanoidBone)index, SkeletonVariant.Neck1, HumanoidBoneSet.All) is not { } source || !figure._bones.TryAdd(source, null!))
+            if (HumanoidMap.GetBone((HumanoidBone)index, SkeletonVariant.Neck1, HumanoidBoneSet.All) is not { } source || !figure._bones.TryAdd(source, null!))
                 continue;
 
             human.Add(new HumanBone { humanName = HumanoidBones.GetName((HumanoidBone)index), boneName = $"{name}_{source}", limit = new HumanLimit { useDefaultValues = true } });

@@ -39,7 +39,7 @@ internal static class BvhSamples
         Parse($"{Hierarchy}MOTION\nFrames: {frames}\nFrame Time: 0.008\n{rows}");
 
     public static float[] Values(BvhDocument document) =>
-        [.. Enumerable.Range(0, document.FrameCount).SelectMany(frame => document.GetFrame(frame).ToArray())];
+        [.. Enumerable.Range(0, document.FrameCount).SelectMany(frame => document.GetValues(frame).ToArray())];
 
     public static BvhRepair OnlyRepair(BvhDocument document)
     {

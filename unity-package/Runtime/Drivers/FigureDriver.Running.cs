@@ -182,7 +182,7 @@ namespace NeuronMocap.Unity
 
             FootPlanterOptions options = rig.FootOptions;
             options.GroundHeight = float.IsFinite(_groundHeight) ? _groundHeight : 0;
-            options.BlendIn = options.BlendOut = _footBlendTime >= 0 ? Math.Min(_footBlendTime, 1) : 0;
+            options.BlendIn = options.BlendOut = TimeSpan.FromSeconds(_footBlendTime >= 0 ? Math.Min(_footBlendTime, 1) : 0);
             options.FootRotation = _footRotation;
             rig.PlantFeet(performer.Contacts, performer.Time);
         }

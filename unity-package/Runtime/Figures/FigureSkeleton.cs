@@ -58,7 +58,7 @@ namespace NeuronMocap.Unity
             if (human == HumanBodyBones.Neck)
                 return variant == SkeletonVariant.Spine3 ? Bone.Neck1 : Bone.Neck;
 
-            return HumanoidMap.GetSource((HumanoidBone)human, variant, HumanoidBoneSet.All);
+            return HumanoidMap.GetBone((HumanoidBone)human, variant, HumanoidBoneSet.All);
         }
 
         private static HumanBone[] MapHuman(SkeletonVariant variant)

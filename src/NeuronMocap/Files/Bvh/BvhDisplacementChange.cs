@@ -42,7 +42,7 @@ internal static class BvhDisplacementChange
     {
         BvhPoint[] positions = new BvhPoint[document.FrameCount];
         for (int frame = 0; frame < positions.Length; frame++)
-            positions[frame] = joint.GetPosition(document.GetFrame(frame));
+            positions[frame] = joint.GetPosition(document.GetValues(frame));
 
         Vector3 offset = new BvhPoint(
             Median(positions, static position => position.X),
@@ -75,7 +75,7 @@ internal static class BvhDisplacementChange
         float[] values = new float[document.FrameCount * hierarchy.ChannelCount];
         for (int frame = 0; frame < document.FrameCount; frame++)
         {
-            ReadOnlySpan<float> from = document.GetFrame(frame);
+            ReadOnlySpan<float> from = document.GetValues(frame);
             Span<float> to = values.AsSpan(frame * hierarchy.ChannelCount, hierarchy.ChannelCount);
             for (int joint = 0; joint < sources.Length; joint++)
                 fillRest(sources[joint], targets[joint], from, to);

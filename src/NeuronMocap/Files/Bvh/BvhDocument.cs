@@ -166,14 +166,14 @@ public sealed class BvhDocument
     {
         using var writer = new BvhWriter(stream, Hierarchy, FrameTime, TextFormat, leaveOpen: true, FrameCount);
         for (int frame = 0; frame < FrameCount; frame++)
-            writer.WriteFrame(GetFrame(frame));
+            writer.WriteFrame(GetValues(frame));
     }
 
     /// <summary>Gets the values of one row, in the order of the file; see <see cref="BvhJoint.FirstChannel"/>.</summary>
     /// <param name="index">Number of the frame, from 0.</param>
     /// <returns><see cref="ChannelCount"/> values, in the document's own memory.</returns>
     /// <exception cref="ArgumentOutOfRangeException">The frame does not exist.</exception>
-    public ReadOnlySpan<float> GetFrame(int index)
+    public ReadOnlySpan<float> GetValues(int index)
     {
         if ((uint)index >= (uint)FrameCount)
             throw new ArgumentOutOfRangeException(nameof(index), index, $"There are {FrameCount} frames.");

@@ -27,7 +27,7 @@ public static class BvhEditing
 
         float[] values = new float[count * document.ChannelCount];
         for (int frame = 0; frame < count; frame++)
-            document.GetFrame(start + frame).CopyTo(values.AsSpan(frame * document.ChannelCount));
+            document.GetValues(start + frame).CopyTo(values.AsSpan(frame * document.ChannelCount));
 
         return document.With(document.Hierarchy, values);
     }
@@ -53,7 +53,7 @@ public static class BvhEditing
     /// all offsets that position channels do not replace. See <see cref="WithRotationOrder"/>, <see cref="WithDisplacement"/>,
     /// <see cref="Resample(BvhDocument, BvhFrameTime)"/>.
     /// </param>
-    /// <param name="isAligned">
+    /// <param name="align">
     /// Whether each take begins where the previous one ends. If true, each take is moved along the ground and turned about the vertical, as a
     /// whole. The hips then stand at the same place and face the same way. Heights do not change, and frames are not blended. If false, the values
     /// do not change.
@@ -61,7 +61,7 @@ public static class BvhEditing
     /// <returns>The joined take, with the hierarchy of the first one.</returns>
     /// <exception cref="ArgumentException">The list is empty or contains null.</exception>
     /// <exception cref="NeuronException">The takes do not match; the message names the difference.</exception>
-    public static BvhDocument Join(IReadOnlyList<BvhDocument> takes, bool isAligned = false) => BvhJoining.Join(takes, isAligned);
+    public static BvhDocument Join(IReadOnlyList<BvhDocument> takes, bool align = false) => BvhJoining.Join(takes, align);
 
     /// <summary>
     /// Converts a take to another frame rate. Rotations are interpolated along the shortest path between quaternions, positions along straight
@@ -166,7 +166,7 @@ public static class BvhEditing
     {
         float[] values = new float[document.FrameCount * document.ChannelCount];
         for (int frame = 0; frame < document.FrameCount; frame++)
-            document.GetFrame(frame).CopyTo(values.AsSpan(frame * document.ChannelCount));
+            document.GetValues(frame).CopyTo(values.AsSpan(frame * document.ChannelCount));
 
         return values;
     }
@@ -177,7 +177,7 @@ public static class BvhEditing
         float[] values = new float[document.FrameCount * document.ChannelCount];
         for (int frame = 0; frame < document.FrameCount; frame++)
         {
-            ReadOnlySpan<float> from = document.GetFrame(frame);
+            ReadOnlySpan<float> from = document.GetValues(frame);
             Span<float> to = values.AsSpan(frame * document.ChannelCount, document.ChannelCount);
             foreach (BvhJoint joint in document.Joints)
                 from.Slice(joint.FirstChannel, joint.Channels.Count).CopyTo(to[hierarchy.Joints[joint.Index].FirstChannel..]);

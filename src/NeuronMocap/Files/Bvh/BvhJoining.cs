@@ -3,7 +3,7 @@ namespace NeuronMocap.Bvh;
 // Joins takes, one after the other.
 internal static class BvhJoining
 {
-    public static BvhDocument Join(IReadOnlyList<BvhDocument> takes, bool isAligned)
+    public static BvhDocument Join(IReadOnlyList<BvhDocument> takes, bool align)
     {
         ArgumentNullException.ThrowIfNull(takes);
         if (takes.Count == 0 || takes.Contains(null!))
@@ -23,9 +23,9 @@ internal static class BvhJoining
         {
             int start = end;
             for (int frame = 0; frame < take.FrameCount; frame++, end++)
-                take.GetFrame(frame).CopyTo(values.AsSpan(end * channelCount));
+                take.GetValues(frame).CopyTo(values.AsSpan(end * channelCount));
 
-            if (isAligned && start > 0 && end > start)
+            if (align && start > 0 && end > start)
                 new BvhAlignment(first.Hierarchy).Align(values, start, end);
         }
 

@@ -29,7 +29,7 @@ internal static class BvhMirroring
         float[] values = new float[document.FrameCount * document.ChannelCount];
         for (int frame = 0; frame < document.FrameCount; frame++)
         {
-            ReadOnlySpan<float> from = document.GetFrame(frame);
+            ReadOnlySpan<float> from = document.GetValues(frame);
             Span<float> to = values.AsSpan(frame * document.ChannelCount, document.ChannelCount);
             foreach (BvhJoint joint in hierarchy.Joints)
             {

@@ -29,7 +29,7 @@ internal static class BvhResampling
             var before = (int)BigInteger.DivRem(time, unit, out BigInteger rest);
             Span<float> row = values.AsSpan(frame * document.ChannelCount, document.ChannelCount);
             if (rest.IsZero)
-                document.GetFrame(before).CopyTo(row);
+                document.GetValues(before).CopyTo(row);
             else
                 Interpolate(document, joints, before, (double)rest / (double)unit, row);
         }
@@ -40,8 +40,8 @@ internal static class BvhResampling
 
     private static void Interpolate(BvhDocument document, BvhJointValues[] turning, int frame, double part, Span<float> row)
     {
-        ReadOnlySpan<float> from = document.GetFrame(frame);
-        ReadOnlySpan<float> to = document.GetFrame(frame + 1);
+        ReadOnlySpan<float> from = document.GetValues(frame);
+        ReadOnlySpan<float> to = document.GetValues(frame + 1);
         foreach (BvhJoint joint in document.Joints)
         {
             for (int i = 0; i < joint.Channels.Count; i++)

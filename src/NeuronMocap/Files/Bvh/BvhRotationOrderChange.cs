@@ -45,7 +45,7 @@ internal static class BvhRotationOrderChange
         for (int frame = 0; frame < document.FrameCount; frame++)
         {
             Span<float> row = values.AsSpan(frame * document.ChannelCount, document.ChannelCount);
-            target.SetRotation(row, source.GetRotation(document.GetFrame(frame)), near);
+            target.SetRotation(row, source.GetRotation(document.GetValues(frame)), near);
             near = target.GetAngles(row).Or(near);
         }
     }

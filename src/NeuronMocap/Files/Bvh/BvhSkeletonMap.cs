@@ -93,7 +93,7 @@ public sealed class BvhSkeletonMap
     /// <param name="destination">Receives <see cref="ChannelLayout.ValueCount"/> values.</param>
     /// <exception cref="ArgumentOutOfRangeException">The frame does not exist.</exception>
     /// <exception cref="ArgumentException">The destination is too short.</exception>
-    public void CopyValues(int frame, Span<float> destination) => CopyValues(Document.GetFrame(frame), destination);
+    public void CopyValues(int frame, Span<float> destination) => CopyValues(Document.GetValues(frame), destination);
 
     /// <summary>Copies a row as the values of a motion packet of <see cref="Layout"/>, bit for bit.</summary>
     /// <param name="row">The row, with all channels of the hierarchy.</param>
@@ -117,7 +117,7 @@ public sealed class BvhSkeletonMap
     /// <param name="destination">Receives 59 transforms in <see cref="Bone"/> order. The file's unit is assumed to be centimetres.</param>
     /// <exception cref="ArgumentOutOfRangeException">The frame does not exist.</exception>
     /// <exception cref="ArgumentException">The destination is too short.</exception>
-    public void CopyLocalTransforms(int frame, Span<BoneTransform> destination) => CopyLocalTransforms(Document.GetFrame(frame), destination);
+    public void CopyLocalTransforms(int frame, Span<BoneTransform> destination) => CopyLocalTransforms(Document.GetValues(frame), destination);
 
     /// <summary>
     /// Copies the transforms of all bones in a row, as <see cref="CopyLocalTransforms(int, Span{BoneTransform})"/> does for a frame.
@@ -136,7 +136,7 @@ public sealed class BvhSkeletonMap
     /// <param name="frame">Number of the frame, from 0.</param>
     /// <returns>The transform of the Reference node, or the identity if the file does not have one; centimetres.</returns>
     /// <exception cref="ArgumentOutOfRangeException">The frame does not exist.</exception>
-    public BoneTransform GetReference(int frame) => GetReference(Document.GetFrame(frame));
+    public BoneTransform GetReference(int frame) => GetReference(Document.GetValues(frame));
 
     /// <summary>Gets the transform that the hips are relative to.</summary>
     /// <param name="row">The row, with all channels of the hierarchy.</param>

@@ -51,7 +51,7 @@ internal static class BvhVariantChange
         var above = new BvhJointValues(map[Above]);
         for (int frame = 0; frame < map.Document.FrameCount; frame++)
         {
-            BvhRotation rotation = above.GetRotation(map.Document.GetFrame(frame));
+            BvhRotation rotation = above.GetRotation(map.Document.GetValues(frame));
             foreach (Bone shoulder in Shoulders)
             {
                 BvhPoint offset = map[shoulder].Offset;
@@ -76,7 +76,7 @@ internal static class BvhVariantChange
         float[] values = new float[document.FrameCount * document.ChannelCount];
         for (int frame = 0; frame < document.FrameCount; frame++)
         {
-            ReadOnlySpan<float> from = document.GetFrame(frame);
+            ReadOnlySpan<float> from = document.GetValues(frame);
             Span<float> to = values.AsSpan(frame * document.ChannelCount, document.ChannelCount);
             foreach (BvhJoint joint in document.Joints)
                 from.Slice(joint.FirstChannel, joint.Channels.Count).CopyTo(to[hierarchy.Joints[places[joint.Index]].FirstChannel..]);

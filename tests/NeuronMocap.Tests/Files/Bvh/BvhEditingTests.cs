@@ -15,8 +15,8 @@ public class BvhEditingTests
         BvhDocument part = Five.Trim(1, 3);
 
         Assert.Equal(3, part.FrameCount);
-        AssertBits(Five.GetFrame(1), part.GetFrame(0));
-        AssertBits(Five.GetFrame(3), part.GetFrame(2));
+        AssertBits(Five.GetValues(1), part.GetValues(0));
+        AssertBits(Five.GetValues(3), part.GetValues(2));
         Assert.Equal(Five.FrameTime, part.FrameTime);
         Assert.Equal(0, Five.Trim(5, 0).FrameCount);
     }
@@ -36,8 +36,8 @@ public class BvhEditingTests
         BvhDocument part = take.Trim(TimeSpan.FromSeconds(0.5), TimeSpan.FromSeconds(1));
 
         Assert.Equal(120, part.FrameCount);
-        AssertBits(take.GetFrame(60), part.GetFrame(0));
-        AssertBits(take.GetFrame(1), take.Trim(TimeSpan.FromTicks(83_333), TimeSpan.FromTicks(83_333)).GetFrame(0));
+        AssertBits(take.GetValues(60), part.GetValues(0));
+        AssertBits(take.GetValues(1), take.Trim(TimeSpan.FromTicks(83_333), TimeSpan.FromTicks(83_333)).GetValues(0));
         Assert.Equal(240, take.Trim(TimeSpan.Zero, TimeSpan.FromSeconds(2)).FrameCount);
         Assert.Throws<ArgumentOutOfRangeException>(() => take.Trim(TimeSpan.Zero, TimeSpan.FromSeconds(2.1)));
         Assert.Throws<ArgumentOutOfRangeException>(() => take.Trim(TimeSpan.FromSeconds(-1), TimeSpan.FromSeconds(1)));
@@ -79,7 +79,7 @@ public class BvhEditingTests
         var first = new BvhDocument(hierarchy, BvhFrameTime.Default, random.Motion(hierarchy, 20));
         var second = new BvhDocument(hierarchy, BvhFrameTime.Default, random.Motion(hierarchy, 30));
 
-        BvhDocument joined = BvhEditing.Join([first, second], isAligned: true);
+        BvhDocument joined = BvhEditing.Join([first, second], align: true);
 
         // As a whole: all distances and heights stay.
         var before = new RawPose(joined, 19);
@@ -111,8 +111,8 @@ public class BvhEditingTests
         var take = new BvhDocument(hierarchy, BvhFrameTime.Default, random.Motion(hierarchy, 2));
         BvhDocument last = take.Trim(1, 1);
 
-        BvhDocument joined = BvhEditing.Join([take, last], isAligned: true);
-        AssertNear(Values(last).Select(value => (double)value), joined.GetFrame(2).ToArray().Select(value => (double)value), 1e-4);
+        BvhDocument joined = BvhEditing.Join([take, last], align: true);
+        AssertNear(Values(last).Select(value => (double)value), joined.GetValues(2).ToArray().Select(value => (double)value), 1e-4);
     }
 
     [Fact]
@@ -127,12 +127,12 @@ public class BvhEditingTests
         motion.AsSpan(0, hierarchy.ChannelCount).Fill(float.NaN);
         var second = new BvhDocument(hierarchy, BvhFrameTime.Default, motion);
 
-        BvhDocument joined = BvhEditing.Join([first, second], isAligned: true);
+        BvhDocument joined = BvhEditing.Join([first, second], align: true);
 
         var before = new RawPose(joined, 1);
         var start = new RawPose(joined, 4);
         AssertNear([before.Position("Hips")[0], before.Position("Hips")[2]], [start.Position("Hips")[0], start.Position("Hips")[2]], 1e-3);
-        Assert.All(joined.GetFrame(5).ToArray(), static value => Assert.True(float.IsFinite(value)));
+        Assert.All(joined.GetValues(5).ToArray(), static value => Assert.True(float.IsFinite(value)));
     }
 
     [Fact]
@@ -154,7 +154,7 @@ public class BvhEditingTests
         Assert.Equal(new BvhFrameTime(1, 60), half.FrameTime);
         Assert.Equal(3, half.FrameCount);
         for (int frame = 0; frame < 3; frame++)
-            AssertBits(Five.GetFrame(2 * frame), half.GetFrame(frame));
+            AssertBits(Five.GetValues(2 * frame), half.GetValues(frame));
     }
 
     [Fact]
@@ -163,8 +163,8 @@ public class BvhEditingTests
         BvhDocument take = Five.Trim(0, 4).Resample(60);
 
         Assert.Equal(3, take.FrameCount);
-        AssertBits(Five.GetFrame(2), take.GetFrame(1));
-        AssertBits(Five.GetFrame(3), take.GetFrame(2));
+        AssertBits(Five.GetValues(2), take.GetValues(1));
+        AssertBits(Five.GetValues(3), take.GetValues(2));
     }
 
     // Seventeen minutes at 59.94 Hz. With the rate as a double, the last frames would not be exact.
@@ -177,7 +177,7 @@ public class BvhEditingTests
 
         Assert.Equal(1_001_001, resampled.FrameCount);
         for (int frame = 0; frame <= 1_001_000; frame += 1001)
-            Assert.Equal(frame / 1001f * 60, resampled.GetFrame(frame)[0]);
+            Assert.Equal(frame / 1001f * 60, resampled.GetValues(frame)[0]);
     }
 
     [Fact]
@@ -192,7 +192,7 @@ public class BvhEditingTests
             for (int frame = 1; frame < 7; frame += 2)
             {
                 foreach (BvhJoint joint in take.Joints)
-                    AssertHalfWay(joint, take.GetFrame(frame / 2), twice.GetFrame(frame), take.GetFrame((frame / 2) + 1));
+                    AssertHalfWay(joint, take.GetValues(frame / 2), twice.GetValues(frame), take.GetValues((frame / 2) + 1));
             }
         }
     }
@@ -243,7 +243,7 @@ public class BvhEditingTests
     }
 
     private static float LargestStep(BvhDocument take, int frame) =>
-        Enumerable.Range(3, 3).Max(column => Math.Abs(take.GetFrame(frame)[column] - take.GetFrame(frame - 1)[column]));
+        Enumerable.Range(3, 3).Max(column => Math.Abs(take.GetValues(frame)[column] - take.GetValues(frame - 1)[column]));
 
     private static void AssertNear(IEnumerable<double> expected, IEnumerable<double> actual, double tolerance) =>
         Assert.All(expected.Zip(actual), pair => Assert.Equal(pair.First, pair.Second, tolerance));

@@ -38,7 +38,7 @@ public sealed class BvhFullDiskTests
             Assert.DoesNotContain(read.Repairs, repair => !repair.Description.Contains("no frames", StringComparison.OrdinalIgnoreCase));
             Assert.Equal(writer.FrameCount, read.FrameCount);
             for (int frame = 0; frame < read.FrameCount; frame++)
-                Assert.Equal(TwoRows.GetFrame(frame % 2).ToArray(), read.GetFrame(frame).ToArray());
+                Assert.Equal(TwoRows.GetValues(frame % 2).ToArray(), read.GetValues(frame).ToArray());
 
             cut += read.FrameCount > 0 ? 1 : 0;
         }
@@ -52,7 +52,7 @@ public sealed class BvhFullDiskTests
     {
         for (int i = 0; i < Rows; i++)
         {
-            writer.WriteFrame(TwoRows.GetFrame(i % 2));
+            writer.WriteFrame(TwoRows.GetValues(i % 2));
             if (i % 5 == 4)
                 writer.Flush();
         }

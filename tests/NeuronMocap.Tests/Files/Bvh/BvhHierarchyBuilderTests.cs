@@ -88,7 +88,7 @@ public class BvhHierarchyBuilderTests
 
         Assert.Same(hierarchy, document.Hierarchy);
         Assert.Equal(2, document.FrameCount);
-        BvhSamples.AssertBits([3, 4], document.GetFrame(1));
+        BvhSamples.AssertBits([3, 4], document.GetValues(1));
         Assert.Equal(60, document.FrameRate);
         Assert.Equal(1 / 60.0, document.DeclaredFrameTime);
         Assert.Equal(BvhTextFormat.AxisNeuron, document.TextFormat);

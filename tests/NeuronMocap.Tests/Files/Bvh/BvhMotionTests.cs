@@ -13,8 +13,8 @@ public class BvhMotionTests
         BvhDocument document = Parse(TwoRows);
 
         Assert.Equal(2, document.FrameCount);
-        AssertBits(RowValues, document.GetFrame(0));
-        AssertBits([-1, -2, -3, -4, -5, -6, -7, -8, -9], document.GetFrame(1));
+        AssertBits(RowValues, document.GetValues(0));
+        AssertBits([-1, -2, -3, -4, -5, -6, -7, -8, -9], document.GetValues(1));
         Assert.Equal(0.008, document.DeclaredFrameTime);
         Assert.Equal(120, document.FrameRate);
         Assert.Equal(0, document.RepairCount);
@@ -27,7 +27,7 @@ public class BvhMotionTests
     public void A_frame_out_of_range_is_refused(int index)
     {
         BvhDocument document = Parse(TwoRows);
-        Assert.Throws<ArgumentOutOfRangeException>(() => document.GetFrame(index).Length);
+        Assert.Throws<ArgumentOutOfRangeException>(() => document.GetValues(index).Length);
     }
 
     [Fact]
@@ -36,14 +36,14 @@ public class BvhMotionTests
 
     [Fact]
     public void Negative_zero_stays_negative() =>
-        AssertBits([0, -0f, -0f, 0, 0, -0f, 1, 0, 0], ParseRows(1, "0.000000 -0.000000 -0 0 +0 -0e5 1 0 0").GetFrame(0));
+        AssertBits([0, -0f, -0f, 0, 0, -0f, 1, 0, 0], ParseRows(1, "0.000000 -0.000000 -0 0 +0 -0e5 1 0 0").GetValues(0));
 
     [Fact]
     public void Two_decimals_and_exponents_are_read()
     {
         BvhDocument document = ParseRows(1, "1.25 -179.99 .5 5. 1e2 -2.5E-3 1.234567e-05 +3.4e+38 1e-45");
 
-        AssertBits([1.25f, -179.99f, 0.5f, 5, 100, -0.0025f, 1.234567e-05f, 3.4e38f, 1e-45f], document.GetFrame(0));
+        AssertBits([1.25f, -179.99f, 0.5f, 5, 100, -0.0025f, 1.234567e-05f, 3.4e38f, 1e-45f], document.GetValues(0));
         Assert.Empty(document.Repairs);
     }
 
@@ -61,7 +61,7 @@ public class BvhMotionTests
     {
         BvhDocument document = ParseRows(1, $"1 2 3 4 5 6 7 8 {text}\n");
 
-        Assert.Equal(expected, document.GetFrame(0)[8]);
+        Assert.Equal(expected, document.GetValues(0)[8]);
         Assert.Equal(19, OnlyRepair(document).Line);
     }
 
@@ -117,7 +117,7 @@ public class BvhMotionTests
     {
         BvhDocument document = Parse($"{Hierarchy}Frames: 1\nFrame Time: 0.008\n{Row}");
 
-        AssertBits(RowValues, document.GetFrame(0));
+        AssertBits(RowValues, document.GetValues(0));
         Assert.Equal(new BvhRepair(16, 1, "The word MOTION is missing; it is added here."), OnlyRepair(document));
     }
 
@@ -188,7 +188,7 @@ public class BvhMotionTests
         BvhDocument document = Parse(TwoRows + second + "MOTION\n");
 
         Assert.Equal(3, document.FrameCount);
-        AssertBits([9, 8, 7, 6, 5, 4, 3, 2, 1], document.GetFrame(2));
+        AssertBits([9, 8, 7, 6, 5, 4, 3, 2, 1], document.GetValues(2));
         Assert.Equal(0.008, document.DeclaredFrameTime);
         Assert.Equal(
             [

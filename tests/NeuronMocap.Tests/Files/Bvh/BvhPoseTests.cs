@@ -187,7 +187,7 @@ public class BvhPoseTests
     }
 
     private static float LargestStep(BvhDocument take) => Enumerable.Range(1, take.FrameCount - 1).Max(frame =>
-        Enumerable.Range(0, take.ChannelCount).Max(column => Math.Abs(take.GetFrame(frame)[column] - take.GetFrame(frame - 1)[column])));
+        Enumerable.Range(0, take.ChannelCount).Max(column => Math.Abs(take.GetValues(frame)[column] - take.GetValues(frame - 1)[column])));
 
     private static void AssertSamePoses(
         BvhDocument expected, BvhDocument actual, Func<string, string>? rename = null, double places = SamePlace, double rotations = SameRotation)

@@ -16,7 +16,7 @@ internal static class BvhReadings
             var text = new StringBuilder();
             Append(text, document.Hierarchy, document.FrameTime, document.DeclaredFrameTime, document.TextFormat);
             for (int frame = 0; frame < document.FrameCount; frame++)
-                Append(text, document.GetFrame(frame));
+                Append(text, document.GetValues(frame));
 
             return Finish(text, document.Repairs, document.RepairCount);
         }

@@ -187,7 +187,7 @@ public class BvhRobustnessTests
             Assert.NotEmpty(document.Joints);
             Assert.Equal(document.ChannelCount, document.Joints.Sum(joint => joint.Channels.Count));
             Assert.All(document.Joints, (joint, index) => Assert.True(joint.Index == index && (joint.Parent?.Index ?? -1) < index));
-            Assert.All(Enumerable.Range(0, document.FrameCount), frame => Assert.Equal(document.ChannelCount, document.GetFrame(frame).Length));
+            Assert.All(Enumerable.Range(0, document.FrameCount), frame => Assert.Equal(document.ChannelCount, document.GetValues(frame).Length));
             Assert.True(double.IsFinite(document.FrameRate) && document.FrameRate > 0);
             Assert.All(document.Repairs, repair => Assert.True(repair.Line > 0));
             return true;

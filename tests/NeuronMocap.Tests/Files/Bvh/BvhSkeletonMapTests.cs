@@ -45,7 +45,7 @@ public class BvhSkeletonMapTests
         values[^1] = -1;
         map.CopyValues(0, values);
 
-        AssertBits([.. map.Document.GetFrame(0), -1], values);
+        AssertBits([.. map.Document.GetValues(0), -1], values);
     }
 
     [Fact]
@@ -158,7 +158,7 @@ public class BvhSkeletonMapTests
         map.CopyLocalTransforms(0, pose);
 
         Assert.Equal(new ChannelLayout(hasDisplacement: false, hasReference: true), map.Layout);
-        AssertBits(map.Document.GetFrame(0), values);
+        AssertBits(map.Document.GetValues(0), values);
         Assert.Equal(
             new BoneTransform(new Vector3(-6, -5, -4), EulerAngles.ToQuaternion(new Vector3(-3, -2, -1), RotationOrder.YXZ)),
             map.GetReference(0));

@@ -23,8 +23,8 @@ public class BvhTakeWriterTests
         Assert.Equal(format, map.Format);
         Assert.Equal(layout, map.Layout);
         Assert.Equal(2, take.FrameCount);
-        AssertBits(values, take.GetFrame(0));
-        AssertBits([.. values.Select(static value => -value)], take.GetFrame(1));
+        AssertBits(values, take.GetValues(0));
+        AssertBits([.. values.Select(static value => -value)], take.GetValues(1));
     }
 
     [Fact]
@@ -58,7 +58,7 @@ public class BvhTakeWriterTests
         BvhDocument take = Write(null, Frame(1, values));
 
         Assert.Equal(SkeletonBody.GetDefault().Offsets.ToArray(), take.Joints.Select(static joint => joint.Offset));
-        AssertBits(values, take.GetFrame(0));
+        AssertBits(values, take.GetValues(0));
     }
 
     [Fact]

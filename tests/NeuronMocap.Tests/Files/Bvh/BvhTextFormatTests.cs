@@ -44,7 +44,7 @@ public class BvhTextFormatTests
         Assert.Equal(BvhTextFormat.AxisNeuron.Indentation, document.TextFormat.Indentation);
         Assert.True(document.TextFormat.Separator.Length <= 16);
         Assert.Empty(document.Repairs);
-        AssertBits([1, 2], document.GetFrame(0));
+        AssertBits([1, 2], document.GetValues(0));
     }
 
     [Fact]

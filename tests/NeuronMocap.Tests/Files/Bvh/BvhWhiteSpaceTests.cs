@@ -145,7 +145,7 @@ public class BvhWhiteSpaceTests
 
         text.Append(CultureInfo.InvariantCulture, $"{document.FrameRate}: ");
         for (int frame = 0; frame < document.FrameCount; frame++)
-            text.AppendJoin(' ', document.GetFrame(frame).ToArray()).Append('\n');
+            text.AppendJoin(' ', document.GetValues(frame).ToArray()).Append('\n');
 
         return text.ToString();
     }

@@ -38,8 +38,8 @@ public sealed class BvhWriterTests : IDisposable
         BvhDocument document = Parse(TwoRows);
         using (var writer = new BvhWriter(_path, document.Hierarchy, BvhFrameTime.Default))
         {
-            writer.WriteFrame(document.GetFrame(0));
-            writer.WriteFrame(document.GetFrame(1));
+            writer.WriteFrame(document.GetValues(0));
+            writer.WriteFrame(document.GetValues(1));
             Assert.Equal(2, writer.FrameCount);
         }
 
@@ -54,13 +54,13 @@ public sealed class BvhWriterTests : IDisposable
     {
         BvhDocument document = Parse(TwoRows);
         using var writer = new BvhWriter(_path, document.Hierarchy, BvhFrameTime.Default);
-        writer.WriteFrame(document.GetFrame(0));
+        writer.WriteFrame(document.GetValues(0));
         writer.Flush();
-        writer.WriteFrame(document.GetFrame(1));
+        writer.WriteFrame(document.GetValues(1));
 
         BvhDocument read = BvhDocument.Parse(ReadShared());
         Assert.Empty(read.Repairs);
-        AssertBits(document.GetFrame(0), Values(read));
+        AssertBits(document.GetValues(0), Values(read));
 
         writer.Flush();
         AssertBits(Values(document), Values(BvhDocument.Parse(ReadShared())));
@@ -72,7 +72,7 @@ public sealed class BvhWriterTests : IDisposable
         BvhDocument document = Parse(TwoRows);
         using (var writer = new BvhWriter(_path, document.Hierarchy, BvhFrameTime.Default))
         {
-            writer.WriteFrame(document.GetFrame(0));
+            writer.WriteFrame(document.GetValues(0));
             writer.FrameTime = new BvhFrameTime(1001, 30_000);
         }
 
@@ -86,13 +86,13 @@ public sealed class BvhWriterTests : IDisposable
         using var memory = new MemoryStream();
         using (var writer = new BvhWriter(new OneWayStream(memory), document.Hierarchy, BvhFrameTime.Default))
         {
-            writer.WriteFrame(document.GetFrame(0));
+            writer.WriteFrame(document.GetValues(0));
             Assert.Throws<InvalidOperationException>(() => writer.FrameTime = new BvhFrameTime(1, 60));
         }
 
         BvhDocument read = BvhDocument.Parse(memory.ToArray());
         Assert.Contains("'0' frames are declared, but there are 1 rows", OnlyRepair(read).Description, StringComparison.Ordinal);
-        AssertBits(document.GetFrame(0), Values(read));
+        AssertBits(document.GetValues(0), Values(read));
     }
 
     // If a stream already contains data, places are relative to the stream.
@@ -103,7 +103,7 @@ public sealed class BvhWriterTests : IDisposable
         using var memory = new MemoryStream();
         memory.Write("some text before HIERARCHY, "u8);
         using (var writer = new BvhWriter(memory, document.Hierarchy, BvhFrameTime.Default, leaveOpen: true))
-            writer.WriteFrame(document.GetFrame(0));
+            writer.WriteFrame(document.GetValues(0));
 
         Assert.Equal(memory.Length, memory.Position);
         Assert.StartsWith("some text before HIERARCHY, HIERARCHY", Encoding.ASCII.GetString(memory.ToArray()), StringComparison.Ordinal);

@@ -13,7 +13,7 @@ internal sealed class RawPose
 
     public RawPose(BvhDocument document, int frame)
     {
-        float[] row = document.GetFrame(frame).ToArray();
+        float[] row = document.GetValues(frame).ToArray();
         var worlds = new Dictionary<BvhJoint, double[,]>();
         foreach (BvhJoint joint in document.Joints)
         {

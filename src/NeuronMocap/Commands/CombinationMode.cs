@@ -1,7 +1,7 @@
-namespace NeuronMocap;
+namespace NeuronMocap.Commands;
 
 /// <summary>The set of sensors that an avatar wears: the vendor's "SensorCombinationModes" (protocol.md section 2.4).</summary>
-public enum SensorCombination
+public enum CombinationMode
 {
     /// <summary>One arm.</summary>
     ArmOnly = 0,
