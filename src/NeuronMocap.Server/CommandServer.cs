@@ -80,16 +80,16 @@ public sealed class CommandServer : IDisposable, IAsyncDisposable
 
     /// <summary>Opens the port and starts to listen.</summary>
     /// <exception cref="BroadcasterException">The port is not available. The server can be started again.</exception>
-    /// <exception cref="InvalidOperationException">The server was started before.</exception>
-    /// <exception cref="ObjectDisposedException">The server was stopped before.</exception>
+    /// <exception cref="InvalidOperationException">The server has already been started.</exception>
+    /// <exception cref="ObjectDisposedException">The server has been stopped.</exception>
     public void Start()
     {
         lock (_lock)
         {
             if (_hasEnded)
-                throw new ObjectDisposedException(nameof(CommandServer), "The command server was stopped.");
+                throw new ObjectDisposedException(nameof(CommandServer), "The command server has been stopped.");
             if (_listener is not null)
-                throw new InvalidOperationException("The command server was started before.");
+                throw new InvalidOperationException("The command server has already been started.");
 
             var endPoint = new IPEndPoint(_options.BindAddress, _options.Port);
             try

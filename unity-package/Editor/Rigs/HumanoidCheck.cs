@@ -56,7 +56,7 @@ namespace NeuronMocap.Unity.EditorTools
                     ? new RigProblem(Severity.Error, "The Animator has no avatar; the model has one.", $"Assign {avatar.name}", () => RigFixes.SetAvatar(animator, avatar))
                     : new RigProblem(
                         Severity.Error,
-                        "The Animator has no avatar." + (model is null ? " In the model's import settings, tab Rig, choose Humanoid, and assign the avatar." : string.Empty),
+                        "The Animator has no avatar." + (model is null ? " In the model's import settings, tab Rig, set Animation Type to Humanoid, and assign the avatar." : string.Empty),
                         model is null ? null : "Import the Model as Humanoid",
                         () => RigFixes.ImportAsHumanoid(animator, model!));
             }
@@ -74,7 +74,7 @@ namespace NeuronMocap.Unity.EditorTools
 
             string fault = $"The avatar {animator.avatar.name} is not Humanoid.";
             return model is null
-                ? new RigProblem(Severity.Error, $"{fault} Choose Humanoid in the model's import settings, or use a Generic Rig Driver.")
+                ? new RigProblem(Severity.Error, $"{fault} In the model's import settings, tab Rig, set Animation Type to Humanoid, or use a Generic Rig Driver.")
                 : new RigProblem(Severity.Error, fault, "Import the Model as Humanoid", () => RigFixes.ImportAsHumanoid(animator, model));
         }
 

@@ -255,7 +255,7 @@ namespace NeuronMocap.Unity
                 return root;
             }
 
-            Problem = $"The prefab \"{prefab.name}\" has neither a driver nor an Animator with a humanoid avatar: set the model's Animation Type to Humanoid.";
+            Problem = $"The prefab \"{prefab.name}\" has neither a driver nor an Animator with a humanoid avatar. In the model's import settings, tab Rig, set Animation Type to Humanoid.";
             Destroy(root);
             _badPrefab = prefab;
             return null;

@@ -224,7 +224,7 @@ namespace NeuronMocap.Unity
 
             Refuse(animator == null
                 ? "This object and its children have no Animator: set Animator."
-                : $"The Animator of \"{animator.name}\" has no human avatar: set the model's Animation Type to Humanoid, or Kind to Generic.");
+                : $"The Animator of \"{animator.name}\" has no humanoid avatar. In the model's import settings, tab Rig, set Animation Type to Humanoid, or set Kind to Generic.");
             return null;
         }
 
