@@ -43,7 +43,7 @@ public sealed class NeuronCommandOptions
     public bool AcceptAnyReplyId { get; set; }
 
     /// <summary>
-    /// Makes options from an address in the form used on command lines. It sets <see cref="Host"/> and <see cref="Port"/>; all other options keep their
+    /// Creates options from an address in the form used on command lines. It sets <see cref="Host"/> and <see cref="Port"/>; all other options keep their
     /// defaults.
     /// </summary>
     /// <param name="address">

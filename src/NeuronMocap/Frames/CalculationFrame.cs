@@ -26,7 +26,7 @@ public sealed class CalculationFrame : AvatarFrame
     private const int LeftContact = CalculationOrder.BodyBoneCount * ValuesPerBone;
     private const int RightContact = LeftContact + 1;
 
-    /// <summary>Makes a frame that owns its memory. Use it to test code that takes frames, or to provide frames from another source.</summary>
+    /// <summary>Creates a frame that owns its memory. Use it to test code that takes frames, or to provide frames from another source.</summary>
     /// <param name="header">The header; its count is replaced by the number of values.</param>
     /// <param name="values">The values in stream order; copied.</param>
     public CalculationFrame(in CalculationHeader header, ReadOnlySpan<float> values)
@@ -124,7 +124,7 @@ public sealed class CalculationFrame : AvatarFrame
     /// <exception cref="ArgumentOutOfRangeException">The bone is not defined.</exception>
     public Vector3 GetAngularVelocity(Bone bone) => ReadVector(bone, 13);
 
-    /// <summary>Makes a copy that owns its memory and stays valid.</summary>
+    /// <summary>Creates a copy that owns its memory and stays valid.</summary>
     /// <returns>A frame equal to this one, including its time of receipt.</returns>
     public new CalculationFrame Clone()
     {

@@ -19,7 +19,7 @@ public sealed class MotionFrame : AvatarFrame
     private ChannelLayout _layout;
     private bool _hasSkeleton;
 
-    /// <summary>Makes a frame that owns its memory. Use it to test code that takes frames, or to provide frames from another source.</summary>
+    /// <summary>Creates a frame that owns its memory. Use it to test code that takes frames, or to provide frames from another source.</summary>
     /// <param name="header">The header; its count is replaced by the number of values.</param>
     /// <param name="values">The values in stream order; copied.</param>
     /// <param name="format">
@@ -156,7 +156,7 @@ public sealed class MotionFrame : AvatarFrame
         ForwardKinematics.ToWorld(destination, destination, body.Variant, GetReference());
     }
 
-    /// <summary>Makes a copy that owns its memory and stays valid.</summary>
+    /// <summary>Creates a copy that owns its memory and stays valid.</summary>
     /// <returns>A frame equal to this one, including its time of receipt.</returns>
     public new MotionFrame Clone()
     {

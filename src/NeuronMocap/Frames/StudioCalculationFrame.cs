@@ -22,7 +22,7 @@ public sealed class StudioCalculationFrame : AvatarFrame
 
     private bool _hasSkeleton;
 
-    /// <summary>Makes a frame that owns its memory. Use it to test code that takes frames, or to provide frames from another source.</summary>
+    /// <summary>Creates a frame that owns its memory. Use it to test code that takes frames, or to provide frames from another source.</summary>
     /// <param name="header">The header; its count is replaced by the number of bytes.</param>
     /// <param name="payload">The bytes after the header; copied.</param>
     public StudioCalculationFrame(in StudioCalculationHeader header, ReadOnlySpan<byte> payload)
@@ -113,7 +113,7 @@ public sealed class StudioCalculationFrame : AvatarFrame
     /// <exception cref="ArgumentOutOfRangeException">The bone is not defined.</exception>
     public bool IsSensorLost(Bone bone) => BitConverter.SingleToInt32Bits(Read(bone, Flag, 1)[0]) != 0;
 
-    /// <summary>Makes a copy that owns its memory and stays valid.</summary>
+    /// <summary>Creates a copy that owns its memory and stays valid.</summary>
     /// <returns>A frame equal to this one, including its time of receipt.</returns>
     public new StudioCalculationFrame Clone()
     {
