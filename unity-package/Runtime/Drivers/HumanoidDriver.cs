@@ -8,7 +8,7 @@ using UnityEngine;
 namespace NeuronMocap.Unity
 {
     /// <summary>
-    /// Moves a figure that has an Animator with a Humanoid avatar as a performer moves. Proportions and rest pose of the figure may be any. Its bones
+    /// Moves a figure that has an Animator with a Humanoid avatar as a performer moves. The figure may have any proportions and any rest pose. Its bones
     /// turn away from the avatar's T-pose as the performer's bones do.
     /// </summary>
     [AddComponentMenu("NeuronMocap/Humanoid Driver")]
