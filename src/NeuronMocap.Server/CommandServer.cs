@@ -57,7 +57,7 @@ public sealed class CommandServer : IDisposable, IAsyncDisposable
     /// <summary>Occurs when a source throws while the server answers a command. The argument is the exception.</summary>
     /// <remarks>
     /// The event is raised on a thread of the server. The server closes the connection of the client that sent the command; the server and its other
-    /// clients go on. Without a handler, the first exception goes to <see cref="Trace"/>. Exceptions that a handler throws are not raised.
+    /// clients continue. Without a handler, the first exception goes to <see cref="Trace"/>. Exceptions that a handler throws are not raised.
     /// </remarks>
     public event Action<Exception>? Failed
     {

@@ -64,7 +64,7 @@ namespace NeuronMocap.Unity.EditorTools
             if (animator.avatar.isHuman && animator.avatar.isValid)
                 return null;
 
-            // isHuman is also false for an avatar that Unity failed to create. Its human description tells the two cases apart.
+            // isHuman is also false for an avatar that Unity failed to create. Its human description distinguishes the two cases.
             if (animator.avatar.isHuman || animator.avatar.humanDescription.human is { Length: > 0 })
             {
                 return new RigProblem(

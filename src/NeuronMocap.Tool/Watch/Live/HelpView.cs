@@ -20,7 +20,7 @@ internal static class HelpView
     private static readonly (string Name, string Meaning)[] LiveKeys =
     [
         ("r", "start or stop a recording. It never replaces a file"),
-        ("space", "freeze or resume the figures and the skeleton; frames still arrive, and a recording goes on"),
+        ("space", "freeze or resume the figures and the skeleton; frames still arrive, and a recording continues"),
     ];
 
     private static readonly (string Name, string Meaning)[] Rest =
