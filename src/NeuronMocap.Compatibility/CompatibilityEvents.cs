@@ -3,7 +3,7 @@ using System.Diagnostics;
 namespace NeuronMocap.Compatibility;
 
 /// <summary>Reports exceptions that registered callbacks throw.</summary>
-/// <remarks>Such an exception ends neither the connection nor the process. Other callbacks go on.</remarks>
+/// <remarks>Such an exception ends neither the connection nor the process. Other callbacks continue.</remarks>
 public static class CompatibilityEvents
 {
     private static readonly object Lock = new();

@@ -33,11 +33,11 @@ internal static unsafe partial class Exports
                 return 0;
 
             *order = UnknownOrder;
-            bool told = VendorFunctions.TryGetRotationOrder(what.sockRef, out RotationOrder answer);
-            if (told)
+            bool succeeded = VendorFunctions.TryGetRotationOrder(what.sockRef, out RotationOrder answer);
+            if (succeeded)
                 *order = (int)answer;
 
-            return IntOf(told);
+            return IntOf(succeeded);
         },
         failure: 0);
 
@@ -70,11 +70,11 @@ internal static unsafe partial class Exports
                 return 0;
 
             *boneSize = default;
-            bool told = VendorFunctions.TryGetBoneDimensions(what.sockRef, what.avatarIndex, out BoneDimensions answer);
-            if (told)
+            bool succeeded = VendorFunctions.TryGetBoneDimensions(what.sockRef, what.avatarIndex, out BoneDimensions answer);
+            if (succeeded)
                 *boneSize = new BoneDimension(answer);
 
-            return IntOf(told);
+            return IntOf(succeeded);
         },
         failure: 0,
         name);

@@ -16,7 +16,7 @@ internal static class HeaderVariable
             return HeaderLayout.Old;
 
         if (!string.IsNullOrEmpty(value))
-            LastError.Set($"{Name} is '{value}'; it has to be '{Old}' or not set.");
+            LastError.Set($"{Name} is '{value}'; it must be '{Old}' or not set.");
 
         return HeaderLayout.New;
     }

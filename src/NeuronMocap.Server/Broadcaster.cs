@@ -44,7 +44,7 @@ public sealed partial class Broadcaster : IDisposable, IAsyncDisposable
 
     /// <summary>Creates a broadcaster without starting it.</summary>
     /// <param name="options">The settings, which are copied.</param>
-    /// <exception cref="ArgumentException">A setting is out of range. The message names it.</exception>
+    /// <exception cref="ArgumentException">An option is out of range; the message names it.</exception>
     /// <exception cref="NeuronException">The file of <see cref="BroadcasterOptions.RecordingPath"/> cannot be played.</exception>
     /// <exception cref="IOException">The file of <see cref="BroadcasterOptions.RecordingPath"/> cannot be read.</exception>
     /// <exception cref="UnauthorizedAccessException">Access to the file of <see cref="BroadcasterOptions.RecordingPath"/> is denied.</exception>
@@ -163,16 +163,16 @@ public sealed partial class Broadcaster : IDisposable, IAsyncDisposable
 
     /// <summary>Opens the port and starts to listen. Also starts to send, unless the settings say to wait for a client.</summary>
     /// <exception cref="BroadcasterException">The port or a destination is not available. The broadcaster can be started again.</exception>
-    /// <exception cref="InvalidOperationException">The broadcaster was started before.</exception>
-    /// <exception cref="ObjectDisposedException">The broadcaster was stopped before.</exception>
+    /// <exception cref="InvalidOperationException">The broadcaster has already been started.</exception>
+    /// <exception cref="ObjectDisposedException">The broadcaster has been stopped.</exception>
     public void Start()
     {
         lock (_lock)
         {
             if (_hasEnded)
-                throw new ObjectDisposedException(nameof(Broadcaster), "The broadcaster was stopped.");
+                throw new ObjectDisposedException(nameof(Broadcaster), "The broadcaster has been stopped.");
             if (_isStarted)
-                throw new InvalidOperationException("The broadcaster was started before.");
+                throw new InvalidOperationException("The broadcaster has already been started.");
 
             Open();
             _isStarted = true;

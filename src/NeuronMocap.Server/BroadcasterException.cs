@@ -38,7 +38,7 @@ public sealed class BroadcasterException : NeuronException
     {
         SocketError.AddressAlreadyInUse => new BroadcasterException(
             portSetting,
-            $"Port {endPoint.Port} on {endPoint.Address} is used by another program. "
+            $"Port {endPoint.Port} on {endPoint.Address} is in use by another program. "
             + $"Close that program, or choose another {portSetting} (0 takes any free port).",
             cause),
         SocketError.AccessDenied => new BroadcasterException(

@@ -56,7 +56,7 @@ public sealed class CommandServer : IDisposable, IAsyncDisposable
     /// <summary>Occurs when a source throws while the server answers a command. The argument is the exception.</summary>
     /// <remarks>
     /// The event is raised on a thread of the server. The server closes the connection of the client that sent the command; the server and its other
-    /// clients go on. Without a handler, the first exception goes to <see cref="Trace"/>. Exceptions that a handler throws are not raised.
+    /// clients continue. Without a handler, the first exception goes to <see cref="Trace"/>. Exceptions that a handler throws are not raised.
     /// </remarks>
     public event Action<Exception>? Failed
     {
@@ -79,16 +79,16 @@ public sealed class CommandServer : IDisposable, IAsyncDisposable
 
     /// <summary>Opens the port and starts to listen.</summary>
     /// <exception cref="BroadcasterException">The port is not available. The server can be started again.</exception>
-    /// <exception cref="InvalidOperationException">The server was started before.</exception>
-    /// <exception cref="ObjectDisposedException">The server was stopped before.</exception>
+    /// <exception cref="InvalidOperationException">The server has already been started.</exception>
+    /// <exception cref="ObjectDisposedException">The server has been stopped.</exception>
     public void Start()
     {
         lock (_lock)
         {
             if (_hasEnded)
-                throw new ObjectDisposedException(nameof(CommandServer), "The command server was stopped.");
+                throw new ObjectDisposedException(nameof(CommandServer), "The command server has been stopped.");
             if (_listener is not null)
-                throw new InvalidOperationException("The command server was started before.");
+                throw new InvalidOperationException("The command server has already been started.");
 
             var endPoint = new IPEndPoint(_options.BindAddress, _options.Port);
             try

@@ -3,19 +3,19 @@ namespace NeuronMocap;
 /// <summary>A reader has no connection: it could not connect in the given time, or the connection failed and reconnecting is off.</summary>
 public sealed class NeuronConnectionException : NeuronException
 {
-    /// <summary>Makes an exception without a reason.</summary>
+    /// <summary>Creates an exception without a reason.</summary>
     public NeuronConnectionException()
     {
     }
 
-    /// <summary>Makes an exception without a reason.</summary>
+    /// <summary>Creates an exception without a reason.</summary>
     /// <param name="message">What happened and which setting to look at.</param>
     public NeuronConnectionException(string message)
         : base(message)
     {
     }
 
-    /// <summary>Makes an exception that wraps its cause.</summary>
+    /// <summary>Creates an exception that wraps its cause.</summary>
     /// <param name="message">What happened and which setting to look at.</param>
     /// <param name="innerException">The cause.</param>
     public NeuronConnectionException(string message, Exception innerException)
@@ -23,7 +23,7 @@ public sealed class NeuronConnectionException : NeuronException
     {
     }
 
-    /// <summary>Makes an exception.</summary>
+    /// <summary>Creates an exception.</summary>
     /// <param name="reason">Why there is no connection.</param>
     /// <param name="message">What happened and which setting to look at.</param>
     public NeuronConnectionException(ConnectionReason reason, string message)

@@ -181,7 +181,7 @@ public sealed partial class NeuronReaderOptions
         if (ConnectTimeout <= TimeSpan.Zero || ConnectTimeout > TimeSpan.FromMinutes(5))
             return $"ConnectTimeout is {ConnectTimeout}; it must be more than zero and at most 5 minutes.";
         if (SilenceTimeout < TimeSpan.FromSeconds(0.1) || SilenceTimeout > TimeSpan.FromHours(1))
-            return $"SilenceTimeout is {SilenceTimeout}; it must be 0.1 s to an hour.";
+            return $"SilenceTimeout is {SilenceTimeout}; it must be 0.1 s to 1 hour.";
         if (RotationOrder is { } order && !Enum.IsDefined(typeof(RotationOrder), order))
             return $"RotationOrder is {order}; it must be one of the six orders, or null.";
         if (SkeletonVariant is { } variant && !Enum.IsDefined(typeof(SkeletonVariant), variant))

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Makes the tables of docs/internals/performance.md again, for both builds of the library: prints them, and writes every figure as JSON to a folder
-# (the first argument, else "results"). Takes about 25 minutes, in which the machine should have nothing else to do.
+# Measures the tables of docs/internals/performance.md again, for both builds of the library. Prints them, and writes every figure as JSON to a folder:
+# the first argument, or "results". Takes about 25 minutes. During this time, the machine should do nothing else.
 set -euo pipefail
 out=$(realpath -m "${1:-results}")
 cd "$(dirname "$0")"

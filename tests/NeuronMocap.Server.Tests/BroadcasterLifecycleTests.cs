@@ -19,7 +19,7 @@ public sealed class BroadcasterLifecycleTests
         using var second = new Broadcaster(options);
 
         BroadcasterException exception = Assert.Throws<BroadcasterException>(second.Start);
-        Assert.Contains($"Port {port} on 127.0.0.1 is used by another program", exception.Message, StringComparison.Ordinal);
+        Assert.Contains($"Port {port} on 127.0.0.1 is in use by another program", exception.Message, StringComparison.Ordinal);
         Assert.Equal("Port", exception.Setting);
 
         // It can start again when the port is free.

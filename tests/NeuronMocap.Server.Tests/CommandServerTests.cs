@@ -186,7 +186,7 @@ public sealed class CommandServerTests
         using Broadcaster broadcaster = CreateBroadcaster();
         using CommandServer first = Start(broadcaster);
         using var second = new CommandServer(broadcaster, new CommandServerOptions { Port = first.LocalEndPoint!.Port });
-        Assert.Contains("used by another program", Assert.Throws<BroadcasterException>(second.Start).Message, StringComparison.Ordinal);
+        Assert.Contains("in use by another program", Assert.Throws<BroadcasterException>(second.Start).Message, StringComparison.Ordinal);
         Assert.Throws<InvalidOperationException>(first.Start);
     }
 

@@ -1,13 +1,14 @@
 /*
- * Calls the functions that lines on its input name, and prints what they and the callbacks say, a line each. A test drives it.
+ * Reads commands from standard input, one a line, and calls the functions that they name. Prints one line for each result and each callback. A test
+ * drives it.
  *
- *   = VALUE                            what a line of the input returned
- *   ! VALUE                            the same for a line that a callback ran
- *   KIND OBJECT SENDER THREAD …        a callback; THREAD is main or the system's number
+ *   = VALUE                            the result of an input line
+ *   ! VALUE                            the result of a line that a callback or another thread ran
+ *   KIND OBJECT SENDER THREAD …        a callback; THREAD is main or the system's thread number
  *
- * "when KIND LINE" lets the next callback of that kind run a line, "whenever KIND LINE" every one. KIND is frame, calculation, status, or status:TEXT
- * for statuses that begin so. In such a line, sender is the callback's connection. "thread LINE" runs a line on a thread of its own, which answers as
- * callbacks do. Objects are letters.
+ * "when KIND LINE" makes the next callback of that kind run a line; "whenever KIND LINE" makes every callback of that kind run it. KIND is frame,
+ * calculation, status, or status:TEXT for messages that begin with TEXT. In such a line, sender means the callback's connection. "thread LINE" runs
+ * a line on a new thread. Objects are letters.
  */
 #include <NeuronDataReader.h>
 
@@ -64,7 +65,7 @@ static const char *thread_name(void)
     return number;
 }
 
-/* The line that a reaction has for this callback; each is taken once. */
+/* Copies the line of a reaction if the reaction fits this callback, and returns whether it does. A reaction of "when" is then used up. */
 static int take_line(size_t index, const char *kind, const char *text, char *line)
 {
     struct reaction *reaction = &reactions[index];
@@ -115,7 +116,7 @@ static uint64_t hash(const void *data, size_t length)
     return value;
 }
 
-/* Prints a frame, lets it react, and says if it was another one then. */
+/* Prints a frame, runs the reactions, and reports whether the frame's memory changed meanwhile. */
 static void print_frame(const char *kind, const void *object, SOCKET_REF sender, const void *header, const float *data, size_t count)
 {
     char image[129];
@@ -155,7 +156,7 @@ static SOCKET_REF handle_of(const struct call *call)
     return handle;
 }
 
-/* "null" and "empty" are what they say, "long" has 5,000 letters, and "broken" is no text in UTF-8. */
+/* "null" is NULL, "empty" an empty text, "long" a text of 5,000 letters, and "broken" a text that is not valid UTF-8. */
 static const char *host_of(const struct call *call)
 {
     static char letters_of_long[5001];
@@ -186,11 +187,11 @@ static void register_callback(const struct call *call)
 static void rotation(const struct call *call)
 {
     RotateOrders order = RO_XYZ;
-    bool told = GetBvhRotation(handle_of(call), &order);
-    answer(call, "%d order %d", told, (int)order);
+    bool succeeded = GetBvhRotation(handle_of(call), &order);
+    answer(call, "%d order %d", succeeded, (int)order);
 }
 
-/* What all functions that take a handle say to this one. */
+/* Calls every function that takes a handle: 10 times the status, plus the number of calls that succeeded. */
 static int ask_all(SOCKET_REF handle)
 {
     RotateOrders order = RO_XYZ;
@@ -203,7 +204,7 @@ static int ask_all(SOCKET_REF handle)
     return 10 * status + done;
 }
 
-/* Foreign handles: addresses of our own, misaligned ones, and any numbers that no library would give. */
+/* Tries foreign handles: addresses of the program's own memory, misaligned addresses, and random numbers that no library returns. */
 static void ask_all_foreign(const struct call *call)
 {
     static char memory[4096];
@@ -287,7 +288,7 @@ static void run_words(const struct call *call)
         printf("? %s\n", name);
 }
 
-/* Splits a line; what is missing is empty. The line within a line stays whole. */
+/* Splits a line into words and runs it. Missing words are empty. A line inside a line stays one word. */
 static void run(char mark, SOCKET_REF sender, const char *line)
 {
     static char none[] = "";

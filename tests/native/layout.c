@@ -1,4 +1,4 @@
-/* Compiled only, by tests: layout.h, and calls as programs have them, without a warning. */
+/* Tests only compile this file: layout.h, and typical calls, without a warning. */
 #include "layout.h"
 
 #ifdef NEURONDATAREADER_B10

@@ -1,2 +1,2 @@
-// The same from C++.
+// layout.c, compiled as C++.
 #include "layout.c"

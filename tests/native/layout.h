@@ -1,4 +1,4 @@
-/* Every size, offset and value that the library's memory has, asserted while compiling: protocol.md sections 2.1 to 2.6 and the manual's section 2.1. */
+/* Compile-time assertions for every size, offset and value of the library's structs and enums: protocol.md sections 2.1 to 2.6, manual section 2.1. */
 #include <stddef.h>
 
 #ifdef LAYOUT_WINDOWS_FIRST

@@ -1,5 +1,5 @@
-/* Compiled only, by tests: names that programs take from the vendor's headers. HOST_DEFINES: the program has its own of those that others have too, as
-   programs in public do. */
+/* Tests only compile this file. It uses the names that programs take from the vendor's headers. With HOST_DEFINES, the program defines the common names
+   itself, as published programs do. */
 #include <stddef.h>
 
 #define __OS_XUN__ 1
@@ -76,8 +76,8 @@ CommandDataReceived command_callback(void)
     return on_command;
 }
 
-bool ask_by_the_manuals_heading(SOCKET_REF commands, BoneDimension *size);
-bool ask_by_the_manuals_heading(SOCKET_REF commands, BoneDimension *size)
+bool call_by_name_in_heading(SOCKET_REF commands, BoneDimension *size);
+bool call_by_name_in_heading(SOCKET_REF commands, BoneDimension *size)
 {
     return BRGetBoneSize(commands, 0, size);
 }

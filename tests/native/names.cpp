@@ -1,2 +1,2 @@
-// The same from C++.
+// names.c, compiled as C++.
 #include "names.c"

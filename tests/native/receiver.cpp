@@ -1,4 +1,4 @@
-// A program as users write it, in C++98: objects of classes get the callbacks. receiver PORT FRAMES prints what they were told.
+// A typical C++98 program: objects receive the callbacks. receiver PORT FRAMES prints what the objects received.
 #include <NeuronDataReader.h>
 
 #include <pthread.h>

@@ -1,4 +1,4 @@
-/* Several threads that call at once: threads same PORT, threads errors PORT, threads churn PORT. Prints what a test compares. */
+/* Several threads call at the same time: threads same PORT, threads errors PORT, threads churn PORT. A test compares the output. */
 #include <NeuronDataReader.h>
 
 #include <pthread.h>
@@ -30,7 +30,7 @@ static void *print_connection(void *unused)
     return unused;
 }
 
-/* Long and short texts in turn. */
+/* Alternates long and short error texts. */
 static void *fail(void *unused)
 {
     static const char long_host[] = "a-name-that-is-so-long-that-no-computer-in-the-world-could-have-it-because-a-part-of-a-name-has-63-letters-at-most.invalid";
@@ -63,7 +63,7 @@ static void CALLBACK on_frame(void *object, SOCKET_REF sender, BvhDataHeader *he
     __atomic_add_fetch(&frames, 1, __ATOMIC_RELAXED);
 }
 
-/* Everybody opens, registers, unregisters and closes, often the same connection. */
+/* All threads open, register, unregister and close, often the same connection. */
 static void *churn(void *unused)
 {
     pthread_barrier_wait(&start);

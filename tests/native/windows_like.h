@@ -1,8 +1,8 @@
-/* What windows.h declares of the names that our headers use too. */
+/* Declares the names that both windows.h and our headers use, as windows.h does. */
 #ifndef _WINDEF_
 #define _WINDEF_
 
-/* As compilers treat the real one. */
+/* Compilers treat the real windows.h as a system header, too. */
 #pragma GCC system_header
 
 #define CALLBACK __stdcall

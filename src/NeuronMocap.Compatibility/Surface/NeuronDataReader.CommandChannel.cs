@@ -41,9 +41,9 @@ public partial class NeuronDataReader
     public static bool GetBvhRotation(IntPtr sockRef, out RotateOrders order)
     {
         // The numbers are the same.
-        bool told = VendorFunctions.TryGetRotationOrder(sockRef, out RotationOrder answer);
-        order = told ? (RotateOrders)answer : RotateOrders.RO_Unknown;
-        return told;
+        bool succeeded = VendorFunctions.TryGetRotationOrder(sockRef, out RotationOrder answer);
+        order = succeeded ? (RotateOrders)answer : RotateOrders.RO_Unknown;
+        return succeeded;
     }
 
     /// <summary>Asks for the sizes of an avatar's body (manual section 2.3.13).</summary>
@@ -53,7 +53,7 @@ public partial class NeuronDataReader
     /// <returns>Whether the server sent the sizes.</returns>
     public static bool GetBoneSize(IntPtr sockRef, int avatarIndex, out BoneDimension dimensions)
     {
-        bool told = VendorFunctions.TryGetBoneDimensions(sockRef, avatarIndex, out BoneDimensions answer);
+        bool succeeded = VendorFunctions.TryGetBoneDimensions(sockRef, avatarIndex, out BoneDimensions answer);
         dimensions = new BoneDimension
         {
             Head = answer.Head,
@@ -69,7 +69,7 @@ public partial class NeuronDataReader
             HeelHeight = answer.HeelHeight,
             FootLength = answer.FootLength,
         };
-        return told;
+        return succeeded;
     }
 
     /// <summary>Asks for the start of an avatar's BVH file (manual section 2.3.14 and Appendix B).</summary>

@@ -41,7 +41,7 @@ internal sealed class FaultReport(string server)
 
         try
         {
-            Trace.TraceError("{0}: a thread of the server threw an exception. The server goes on. {1}", server, exception);
+            Trace.TraceError("{0}: a thread of the server threw an exception. The server continues. {1}", server, exception);
         }
         catch (Exception)
         {

@@ -2,7 +2,7 @@ using System.Diagnostics;
 
 namespace NeuronMocap.Server.Broadcasting;
 
-// The clock of a pacer: tells the time and waits. Tests replace it.
+// The clock of a pacer: gets the time and waits. Tests replace it.
 internal class PacerTime
 {
     public static PacerTime Real { get; } = new();

@@ -19,7 +19,7 @@ internal sealed class ClientListener : IDisposable
     /// <summary>Opens the port.</summary>
     /// <param name="endPoint">Address and port. Port 0 takes any free port.</param>
     /// <param name="accepted">Called on the listener's thread. It owns the socket, unless it throws.</param>
-    /// <param name="report">Receives the exceptions that <paramref name="accepted"/> throws. The listener goes on.</param>
+    /// <param name="report">Receives the exceptions that <paramref name="accepted"/> throws. The listener continues.</param>
     /// <exception cref="SocketException">The address or the port is not available.</exception>
     public ClientListener(IPEndPoint endPoint, Action<Socket> accepted, FaultReport report)
     {

@@ -32,7 +32,7 @@ internal static class BroadcasterOptionsCheck
     }
 
     public static ArgumentException Fault(string setting, string requirement, object? value) =>
-        new($"{nameof(BroadcasterOptions)}.{setting} {requirement}; it is {value}.", setting);
+        new($"{nameof(BroadcasterOptions)}.{setting} is {value ?? "null"}; it {requirement}.", setting);
 
     private static void CheckSources(BroadcasterOptions options)
     {
@@ -40,14 +40,14 @@ internal static class BroadcasterOptionsCheck
             options.Sources.Count is >= 1 and <= MaxAvatars,
             nameof(options.Sources),
             "must hold 1 to 256 sources, one for each avatar",
-            options.Sources.Count);
-        Require(options.Sources.All(source => source is not null), nameof(options.Sources), "must not contain null", "null");
-        Require(options.AvatarNames.All(name => name is not null), nameof(options.AvatarNames), "must not contain null", "null");
+            $"a list of {options.Sources.Count}");
+        Require(options.Sources.All(source => source is not null), nameof(options.Sources), "must not contain null", "a list with null");
+        Require(options.AvatarNames.All(name => name is not null), nameof(options.AvatarNames), "must not contain null", "a list with null");
         Require(
             options.AvatarNames.Count <= options.Sources.Count,
             nameof(options.AvatarNames),
             "must not hold more names than there are sources",
-            options.AvatarNames.Count);
+            $"a list of {options.AvatarNames.Count}");
         CheckFormat(options);
         CheckRate(options);
         Require(options.MaxFrames is null or >= 1, nameof(options.MaxFrames), "must be at least 1 frame", options.MaxFrames);
@@ -104,8 +104,8 @@ internal static class BroadcasterOptionsCheck
         Require(
             options.FrameRate is not null || own is >= 0.01 and <= 100_000,
             nameof(options.FrameRate),
-            "must be set when the rate of the first source is not 0.01 to 100,000 Hz",
-            own);
+            $"must be set, because the rate of the first source is {own}, not 0.01 to 100,000 Hz",
+            "null");
     }
 
     private static void CheckNetwork(BroadcasterOptions options)
@@ -117,12 +117,12 @@ internal static class BroadcasterOptionsCheck
             options.UdpDestinations.All(destination => destination is not null),
             nameof(options.UdpDestinations),
             "must not contain null",
-            "null");
+            "a list with null");
         Require(
             options.UdpDestinations.All(destination => destination.Port != 0),
             nameof(options.UdpDestinations),
             "must have ports from 1 to 65535",
-            0);
+            "a list with port 0");
         Require(
             options.Port is not null || options.UdpDestinations.Count > 0,
             nameof(options.Port),

@@ -61,6 +61,6 @@ public sealed class CommandServerOptions
     private static void Require(bool condition, string setting, string requirement, object? value)
     {
         if (!condition)
-            throw new ArgumentException($"{nameof(CommandServerOptions)}.{setting} {requirement}; it is {value}.", setting);
+            throw new ArgumentException($"{nameof(CommandServerOptions)}.{setting} is {value ?? "null"}; it {requirement}.", setting);
     }
 }

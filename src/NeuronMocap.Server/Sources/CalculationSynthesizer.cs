@@ -43,16 +43,16 @@ public static class CalculationSynthesizer
     /// Exactly 946 values for 59 bones (<see cref="CalculationFrame.FullValueCount"/>) or 338 for 21 (<see cref="CalculationFrame.BodyValueCount"/>).
     /// All of them are written.
     /// </param>
-    /// <exception cref="ArgumentException">The span has another number of values.</exception>
-    /// <exception cref="ArgumentOutOfRangeException">The source has no such frame.</exception>
+    /// <exception cref="ArgumentException">The number of values is wrong.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">The frame does not exist.</exception>
     public static void Write(MotionSource source, long frame, Span<float> values)
     {
         if (values.Length is not (CalculationFrame.FullValueCount or CalculationFrame.BodyValueCount))
-            throw new ArgumentException("The span must hold 946 or 338 values.", nameof(values));
+            throw new ArgumentException("A frame must have 946 or 338 values.", nameof(values));
 
         long last = (source.FrameCount ?? long.MaxValue) - 1;
         if (frame < 0 || frame > last)
-            throw new ArgumentOutOfRangeException(nameof(frame), frame, "The source has no such frame.");
+            throw new ArgumentOutOfRangeException(nameof(frame), frame, "The frame number must be at least 0 and less than the source's number of frames.");
 
         long first = Math.Max(0, Math.Min(frame - 1, last - (Window - 1)));
         int count = (int)Math.Min(Window, last - first + 1);

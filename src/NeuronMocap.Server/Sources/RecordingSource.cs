@@ -103,7 +103,7 @@ public sealed class RecordingSource : MotionSource
     /// The file has another format, or it has no pose of the avatar. The message says what the file holds.
     /// </exception>
     /// <exception cref="IOException">The file cannot be opened or read.</exception>
-    /// <exception cref="UnauthorizedAccessException">Access to the file is denied.</exception>
+    /// <exception cref="UnauthorizedAccessException">The user does not have permission to read the file.</exception>
     /// <exception cref="OperationCanceledException">The reading was cancelled.</exception>
     public static RecordingSource Load(
         string path,

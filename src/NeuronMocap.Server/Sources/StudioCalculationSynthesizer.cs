@@ -33,12 +33,12 @@ public static class StudioCalculationSynthesizer
     /// <param name="source">The source.</param>
     /// <param name="frame">Frame number, from 0, below the source's <see cref="MotionSource.FrameCount"/>.</param>
     /// <param name="payload">Exactly 4956 bytes. All of them are written.</param>
-    /// <exception cref="ArgumentException">The span has another number of bytes.</exception>
-    /// <exception cref="ArgumentOutOfRangeException">The source has no such frame.</exception>
+    /// <exception cref="ArgumentException">The number of bytes is wrong.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">The frame does not exist.</exception>
     public static void Write(MotionSource source, long frame, Span<byte> payload)
     {
         if (payload.Length != PayloadSize)
-            throw new ArgumentException("The span must hold exactly 4956 bytes.", nameof(payload));
+            throw new ArgumentException("The payload must have 4956 bytes.", nameof(payload));
 
         Span<float> sensors = stackalloc float[CalculationFrame.FullValueCount];
         CalculationSynthesizer.Write(source, frame, sensors);

@@ -61,11 +61,11 @@ public sealed class SyntheticSource : MotionSource
 
     /// <inheritdoc/>
     /// <exception cref="ArgumentOutOfRangeException">The frame number is negative.</exception>
-    /// <exception cref="ArgumentException">The span is shorter than 59 transforms.</exception>
+    /// <exception cref="ArgumentException">There is no room for 59 transforms.</exception>
     public override void GetPose(long frame, Span<BoneTransform> pose)
     {
         if (pose.Length < BoneHierarchy.BoneCount)
-            throw new ArgumentException("The span must hold 59 transforms.", nameof(pose));
+            throw new ArgumentException("There must be room for each of the 59 bones.", nameof(pose));
 
         double seconds = SecondsInLap(frame);
         var moment = new GaitMoment(seconds);

@@ -41,7 +41,7 @@ internal static class FileFault
         FileNotFoundException or DirectoryNotFoundException => $"{Quote(FolderOf(path))} does not accept new files.",
         UnauthorizedAccessException => $"{Quote(path)} cannot be written: this user has no permission.",
         IOException when IsExisting(exception) && InputFile.FindOddKind(path) is { } kind => $"{Quote(path)} is {kind}; only regular files are written.",
-        IOException { HResult: WindowsSharing } => $"{Quote(path)} is being written already, by this program or another one. Choose another name, or end the other one first.",
+        IOException { HResult: WindowsSharing } => $"{Quote(path)} is already being written, by this program or another one. Choose another name, or end the other writer first.",
         _ => OfSystem(exception, path) ?? $"{Quote(path)} cannot be written.",
     };
 

@@ -25,7 +25,7 @@ internal static class FileKinds
     /// <summary>Determines the kind of a file by its contents.</summary>
     /// <exception cref="NeuronException">The kind of the file is not supported.</exception>
     /// <exception cref="IOException">The file does not exist or cannot be read.</exception>
-    /// <exception cref="UnauthorizedAccessException">Access to the file is denied.</exception>
+    /// <exception cref="UnauthorizedAccessException">The user does not have permission to read the file.</exception>
     public static FileKind Recognize(string path)
     {
         InputFile.Require(path);

@@ -74,7 +74,7 @@ internal sealed record FileSettings(FileTask Task, string Input, string? Output)
     /// <summary>Determines the kind of the input.</summary>
     /// <exception cref="NeuronException">The input cannot be read, or not with these settings.</exception>
     /// <exception cref="IOException">The input does not exist or cannot be read.</exception>
-    /// <exception cref="UnauthorizedAccessException">Access to the input is denied.</exception>
+    /// <exception cref="UnauthorizedAccessException">The user does not have permission to read the input.</exception>
     public FileKind RecognizeInput()
     {
         FileKind kind = FileKinds.Recognize(Input);

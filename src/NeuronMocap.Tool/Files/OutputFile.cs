@@ -61,7 +61,7 @@ internal sealed class OutputFile(string path, bool overwrite) : IDisposable
         if (InputFile.FindOddKind(path) is { } kind)
             throw new IOException($"'{path}' is {kind}; only regular files are written.");
         if (!overwrite && File.Exists(path))
-            throw new IOException($"'{path}' already exists; --overwrite replaces it.");
+            throw new IOException($"'{path}' already exists. --overwrite replaces it.");
     }
 
     private void Begin()

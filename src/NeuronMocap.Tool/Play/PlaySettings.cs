@@ -30,7 +30,7 @@ internal sealed record PlaySettings(string File, double Speed, double? FrameRate
         }
         catch (Exception exception) when (exception is NeuronException or IOException or UnauthorizedAccessException or ArgumentException)
         {
-            string hint = IsOtherTake(exception) ? $" {CommandLine.Name} convert makes one of it." : string.Empty;
+            string hint = IsOtherTake(exception) ? $" {CommandLine.Name} convert turns it into one." : string.Empty;
             throw new PlayException(FileFault.OfReading(exception, File) + hint);
         }
     }

@@ -208,7 +208,7 @@ internal sealed class SimulateArguments
         if (T.TryParse(text, NumberStyles.Integer, CultureInfo.InvariantCulture, out T number) && number >= from && number <= to)
             return number;
 
-        result.AddError($"{NameOf(result)} {text} is not a whole number from {from} to {to}.");
+        result.AddError($"{NameOf(result)}: '{text}' is not a whole number from {from} to {to}.");
         return null;
     };
 
@@ -220,7 +220,7 @@ internal sealed class SimulateArguments
         if (words.Contains(text, StringComparer.OrdinalIgnoreCase))
             return Enum.Parse<T>(text, ignoreCase: true);
 
-        result.AddError($"{NameOf(result)} {text} is not one of {string.Join(", ", words)}.");
+        result.AddError($"{NameOf(result)}: '{text}' is not one of {string.Join(", ", words)}.");
         return null;
     };
 
@@ -234,7 +234,7 @@ internal sealed class SimulateArguments
         if (double.TryParse(text, NumberStyles.Float, CultureInfo.InvariantCulture, out double rate) && rate is >= 0.01 and <= 100_000)
             return rate;
 
-        result.AddError($"--rate {text} is neither a number from 0.01 to 100000 nor max.");
+        result.AddError($"--rate: '{text}' is not a number from 0.01 to 100000, or max.");
         return null;
     }
 
@@ -244,7 +244,7 @@ internal sealed class SimulateArguments
         if (IPAddress.TryParse(text, out IPAddress? address))
             return address;
 
-        result.AddError($"--bind {text} is not an IP address.");
+        result.AddError($"--bind: '{text}' is not an IP address.");
         return null;
     }
 

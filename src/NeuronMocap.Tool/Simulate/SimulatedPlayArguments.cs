@@ -83,7 +83,7 @@ internal sealed class SimulatedPlayArguments
         if (double.TryParse(text, NumberStyles.AllowDecimalPoint, CultureInfo.InvariantCulture, out double speed) && speed is >= 0.01 and <= 100)
             return speed;
 
-        result.AddError($"--speed {text} is not a number from 0.01 to 100.");
+        result.AddError($"--speed: '{text}' is not a number from 0.01 to 100.");
         return null;
     }
 }

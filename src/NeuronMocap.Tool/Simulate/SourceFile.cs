@@ -23,23 +23,23 @@ internal static class SourceFile
         }
         catch (UnauthorizedAccessException)
         {
-            throw new SimulatorException($"{option}: this user may not read {file.FullName}.");
+            throw new SimulatorException($"{option}: '{file}' cannot be read: this user has no permission.");
         }
         catch (IOException exception)
         {
-            throw new SimulatorException($"{option}: {file.FullName} cannot be read ({exception.Message})");
+            throw new SimulatorException($"{option}: {FileFault.OfReading(exception, file.ToString())}");
         }
     }
 
     private static void Check(string option, FileInfo file)
     {
         if (InputFile.FindOddKind(file.FullName) is { } kind)
-            throw new SimulatorException($"{option}: {file.FullName} is {kind}; give a file with a take.");
+            throw new SimulatorException($"{option}: '{file}' is {kind}; only regular files are read.");
 
         FileSystemInfo? target = file.Exists ? file.ResolveLinkTarget(returnFinalTarget: true) ?? file : null;
         if (target is not FileInfo { Exists: true } content)
-            throw new SimulatorException($"{option}: the file {file.FullName} does not exist.");
+            throw new SimulatorException($"{option}: '{file}' does not exist.");
         if (content.Length == 0)
-            throw new SimulatorException($"{option}: {file.FullName} is empty; give a file with a take.");
+            throw new SimulatorException($"{option}: '{file}' is empty.");
     }
 }

@@ -30,7 +30,7 @@ internal static class StartFailure
     private static string DescribePort(string option, int? port, IPAddress address, BroadcasterException exception) =>
         CodeOf(exception) == SocketError.AccessDenied
             ? $"{option}: this user may not listen on port {port}; choose a port from 1024 up (0 takes any free port)."
-            : $"{option}: port {port} on {address} is used by another program; close that program, or choose another port (0 takes any free port).";
+            : $"{option}: port {port} on {address} is in use by another program; close that program, or choose another port (0 takes any free port).";
 
     private static string DescribeAddress(IPAddress address, BroadcasterException exception) =>
         $"--bind: this computer cannot listen on {address} ({CodeOf(exception)}); use an address of this computer, or 0.0.0.0 for all of them.";

@@ -71,7 +71,7 @@ internal sealed class WatchVerb : Verb
         new("watch studio --record take.nmrec", "show the stream and record every byte"),
         new("watch studio --export take.bvh", "show the stream and export it as BVH, until q or Ctrl+C"),
         new("watch studio --json --frames 100", "100 frames for another program"),
-        new("watch studio --quiet --duration 10", "does anything arrive? The exit code tells"),
+        new("watch studio --quiet --duration 10", "does anything arrive? The exit code says it"),
     ];
 
     public override IReadOnlyList<(int Code, string Meaning)> ExitCodes => Codes;

@@ -44,7 +44,7 @@ public sealed class DataCommands
         get => _timeout;
         set => _timeout = value >= ShortestTimeout && value <= LongestTimeout
             ? value
-            : throw new ArgumentOutOfRangeException(nameof(value), value, "Timeout must be 1 ms to an hour.");
+            : throw new ArgumentOutOfRangeException(nameof(value), value, "The timeout must be 1 ms to 1 hour.");
     }
 
     // Returns false if no connection can carry commands, or if the connection takes no more bytes for a second.

@@ -46,7 +46,7 @@ public sealed class NeuronCommandClient : IDisposable, IAsyncDisposable
     private bool _isWorking;
     private bool _isDisposed;
 
-    /// <summary>Makes a client; it does not connect yet.</summary>
+    /// <summary>Creates a client; it does not connect yet.</summary>
     /// <param name="host">Name or address of the computer that runs Axis Neuron.</param>
     /// <param name="port">TCP port of its command channel.</param>
     /// <exception cref="ArgumentException">The name is empty, or the port is out of range.</exception>
@@ -55,7 +55,7 @@ public sealed class NeuronCommandClient : IDisposable, IAsyncDisposable
     {
     }
 
-    /// <summary>Makes a client; it does not connect yet.</summary>
+    /// <summary>Creates a client; it does not connect yet.</summary>
     /// <param name="options">The options; copied.</param>
     /// <exception cref="ArgumentException">An option is out of range; the message names it.</exception>
     public NeuronCommandClient(NeuronCommandOptions options)

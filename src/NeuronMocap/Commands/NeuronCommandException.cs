@@ -3,19 +3,19 @@ namespace NeuronMocap.Commands;
 /// <summary>A command was not answered, or the answer is not valid. The client stays usable.</summary>
 public sealed class NeuronCommandException : NeuronException
 {
-    /// <summary>Makes an exception without a reason.</summary>
+    /// <summary>Creates an exception without a reason.</summary>
     public NeuronCommandException()
     {
     }
 
-    /// <summary>Makes an exception without a reason.</summary>
+    /// <summary>Creates an exception without a reason.</summary>
     /// <param name="message">What happened and which setting to look at.</param>
     public NeuronCommandException(string message)
         : base(message)
     {
     }
 
-    /// <summary>Makes an exception that wraps its cause.</summary>
+    /// <summary>Creates an exception that wraps its cause.</summary>
     /// <param name="message">What happened and which setting to look at.</param>
     /// <param name="innerException">The cause.</param>
     public NeuronCommandException(string message, Exception innerException)
@@ -23,7 +23,7 @@ public sealed class NeuronCommandException : NeuronException
     {
     }
 
-    /// <summary>Makes an exception.</summary>
+    /// <summary>Creates an exception.</summary>
     /// <param name="reason">Why there is no answer.</param>
     /// <param name="message">What happened and which setting to look at.</param>
     /// <param name="innerException">The cause; may be null.</param>

@@ -43,14 +43,14 @@ public sealed class NeuronCommandOptions
     public bool AcceptAnyReplyId { get; set; }
 
     /// <summary>
-    /// Makes options from an address in the form used on command lines. It sets <see cref="Host"/> and <see cref="Port"/>; all other options keep their
+    /// Creates options from an address in the form used on command lines. It sets <see cref="Host"/> and <see cref="Port"/>; all other options keep their
     /// defaults.
     /// </summary>
     /// <param name="address">
     /// <c>HOST</c> or <c>HOST:PORT</c>; the default port is 8013. An IPv6 address with a port needs brackets: <c>[::1]:8013</c>.
     /// </param>
     /// <returns>New options.</returns>
-    /// <exception cref="FormatException">The text is not an address; the message tells the user why.</exception>
+    /// <exception cref="FormatException">The text is not an address; the message says why.</exception>
     public static NeuronCommandOptions Parse(string address)
     {
         ArgumentNullException.ThrowIfNull(address);

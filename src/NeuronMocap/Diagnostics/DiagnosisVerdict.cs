@@ -15,7 +15,7 @@ public enum DiagnosisVerdict
     /// <summary>Frames arrive, but their number of values does not match the 59-bone skeleton.</summary>
     UnusualValueCount,
 
-    /// <summary>Frames arrive, with bytes between them that belong to no packet.</summary>
+    /// <summary>Frames arrive, with bytes between them that are not packets.</summary>
     ForeignBytes,
 
     /// <summary>Frames arrive from more than one program on the same UDP port.</summary>

@@ -42,7 +42,7 @@ internal static class LocalNetwork
         if (own.Address is null)
             return $"from {local}";
 
-        string where = IsInNetwork(remote, own) ? "in the same network" : "through a router: not in the same network";
+        string where = IsInNetwork(remote, own) ? "on the same network" : "through a router: not on the same network";
         return $"from {local} ({own.Network}), {where}";
     }
 

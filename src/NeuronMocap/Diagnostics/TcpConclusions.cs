@@ -69,7 +69,7 @@ internal static class TcpConclusions
         return new Conclusion(
             DiagnosisVerdict.Unreachable,
             $"This computer has no route to {context.Link.Host}.",
-            "Check the address, and that the cable is plugged in or Wi-Fi is on. Both computers must be in the same network.");
+            "Check the address, and that the cable is plugged in or Wi-Fi is on. Both computers must be on the same network.");
     }
 
     public static async Task<Conclusion> NotConnectedAsync(DiagnosisContext context, LinkEnd failure, IPAddress address)
@@ -96,7 +96,7 @@ internal static class TcpConclusions
             DiagnosisVerdict.Unreachable => new ExplainedVerdict(
                 verdict,
                 $"{context.Link.Target} cannot be reached: the network says that there is no such computer.",
-                "Check the address, that the computer is switched on, and that both computers are in the same network."),
+                "Check the address, that the computer is switched on, and that both computers are on the same network."),
             _ => new ExplainedVerdict(verdict, failure.Message),
         };
         return Conclude(context, plain, search);
@@ -177,7 +177,7 @@ internal static class TcpConclusions
     {
         string where = hostAnswers
             ? "The computer itself answers on other ports, so a firewall blocks this one, or nothing listens there."
-            : "The address is wrong, the computer is switched off or in another network, or a firewall drops the connection (that of Windows also "
+            : "The address is wrong, the computer is switched off or on another network, or a firewall drops the connection (that of Windows also "
                 + "does when nothing listens).";
         return new ExplainedVerdict(
             DiagnosisVerdict.NoAnswer,

@@ -64,8 +64,8 @@ internal sealed class UdpExamination(DiagnosisContext context, IReadOnlyList<IPA
         {
             ConnectionReason.PortInUse => (
                 DiagnosisVerdict.PortInUse,
-                "another program uses it",
-                $"UDP port {_link.Port} of this computer is used by another program, which gets the datagrams.",
+                "in use by another program",
+                $"UDP port {_link.Port} of this computer is in use by another program, which gets the datagrams.",
                 "Close that program. Or choose another port here, and the same port in the server's broadcasting settings as the client's or "
                 + "destination's port."),
             ConnectionReason.AddressUnavailable => (

@@ -50,6 +50,6 @@ internal static class WritableFile
     }
 
     private static IOException InUse(string path) => new(
-        $"The file '{path}' is already being written, by this program or another one. Choose another name, or end the other writer first.",
+        $"'{path}' is already being written, by this program or another one. Choose another name, or end the other writer first.",
         SharingViolation);
 }

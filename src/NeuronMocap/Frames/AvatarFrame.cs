@@ -63,7 +63,7 @@ public abstract class AvatarFrame
     /// </remarks>
     public int Sender => _data.WhileValid(PacketOrigin.SenderOf(Origin));
 
-    /// <summary>Makes a copy that owns its memory and stays valid.</summary>
+    /// <summary>Creates a copy that owns its memory and stays valid.</summary>
     /// <returns>A frame of the same kind, equal to this one, including its time of receipt.</returns>
     public AvatarFrame Clone() => CreateClone();
 

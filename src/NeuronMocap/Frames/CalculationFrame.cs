@@ -26,7 +26,7 @@ public sealed class CalculationFrame : AvatarFrame
     private const int LeftContact = CalculationOrder.BodyBoneCount * ValuesPerBone;
     private const int RightContact = LeftContact + 1;
 
-    /// <summary>Makes a frame that owns its memory. Use it to test code that takes frames, or to provide frames from another source.</summary>
+    /// <summary>Creates a frame that owns its memory. Use it to test code that takes frames, or to provide frames from another source.</summary>
     /// <param name="header">The header; its count is replaced by the number of values.</param>
     /// <param name="values">The values in stream order; copied.</param>
     public CalculationFrame(in CalculationHeader header, ReadOnlySpan<float> values)
@@ -78,21 +78,21 @@ public sealed class CalculationFrame : AvatarFrame
     /// <summary>Determines whether the frame contains a bone. The short form has no fingers.</summary>
     /// <param name="bone">A bone.</param>
     /// <returns>True if the other members accept the bone.</returns>
-    /// <exception cref="ArgumentOutOfRangeException">The bone does not exist.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">The bone is not defined.</exception>
     public bool Contains(Bone bone) => CalculationOrder.IndexOf(bone) < BoneCount;
 
     /// <summary>Gets the position of a bone's centre in the world.</summary>
     /// <param name="bone">A bone.</param>
     /// <returns>Metres, in the axes set on the server.</returns>
     /// <exception cref="InvalidOperationException">The frame does not contain the bone.</exception>
-    /// <exception cref="ArgumentOutOfRangeException">The bone does not exist.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">The bone is not defined.</exception>
     public Vector3 GetPosition(Bone bone) => ReadVector(bone, 0);
 
     /// <summary>Gets the velocity of a bone in the world.</summary>
     /// <param name="bone">A bone.</param>
     /// <returns>Metres per second, in the axes set on the server.</returns>
     /// <exception cref="InvalidOperationException">The frame does not contain the bone.</exception>
-    /// <exception cref="ArgumentOutOfRangeException">The bone does not exist.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">The bone is not defined.</exception>
     public Vector3 GetVelocity(Bone bone) => ReadVector(bone, 3);
 
     /// <summary>
@@ -101,7 +101,7 @@ public sealed class CalculationFrame : AvatarFrame
     /// <param name="bone">A bone.</param>
     /// <returns>The quaternion as received; the order in the stream is w x y z.</returns>
     /// <exception cref="InvalidOperationException">The frame does not contain the bone.</exception>
-    /// <exception cref="ArgumentOutOfRangeException">The bone does not exist.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">The bone is not defined.</exception>
     public Quaternion GetSensorRotation(Bone bone)
     {
         ReadOnlySpan<float> values = Values.Slice(IndexOf(bone) + 6, 4);
@@ -114,17 +114,17 @@ public sealed class CalculationFrame : AvatarFrame
     /// Multiples of gravity, in the sensor's own axes: 1 g downwards at rest. The manual does not specify the unit; the exports of Axis Neuron show it.
     /// </returns>
     /// <exception cref="InvalidOperationException">The frame does not contain the bone.</exception>
-    /// <exception cref="ArgumentOutOfRangeException">The bone does not exist.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">The bone is not defined.</exception>
     public Vector3 GetAcceleration(Bone bone) => ReadVector(bone, 10);
 
     /// <summary>Gets the angular velocity that a bone's sensor measures.</summary>
     /// <param name="bone">A bone.</param>
     /// <returns>Radians per second, in the sensor's own axes. The manual does not specify the unit; the exports of Axis Neuron show it.</returns>
     /// <exception cref="InvalidOperationException">The frame does not contain the bone.</exception>
-    /// <exception cref="ArgumentOutOfRangeException">The bone does not exist.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">The bone is not defined.</exception>
     public Vector3 GetAngularVelocity(Bone bone) => ReadVector(bone, 13);
 
-    /// <summary>Makes a copy that owns its memory and stays valid.</summary>
+    /// <summary>Creates a copy that owns its memory and stays valid.</summary>
     /// <returns>A frame equal to this one, including its time of receipt.</returns>
     public new CalculationFrame Clone()
     {

@@ -19,7 +19,7 @@ public sealed class MotionFrame : AvatarFrame
     private ChannelLayout _layout;
     private bool _hasSkeleton;
 
-    /// <summary>Makes a frame that owns its memory. Use it to test code that takes frames, or to provide frames from another source.</summary>
+    /// <summary>Creates a frame that owns its memory. Use it to test code that takes frames, or to provide frames from another source.</summary>
     /// <param name="header">The header; its count is replaced by the number of values.</param>
     /// <param name="values">The values in stream order; copied.</param>
     /// <param name="format">
@@ -73,7 +73,7 @@ public sealed class MotionFrame : AvatarFrame
     /// <summary>Position and rotation of a bone relative to its parent: <see cref="GetPosition"/> and <see cref="GetRotation"/>.</summary>
     /// <param name="bone">A bone.</param>
     /// <exception cref="InvalidOperationException"><see cref="HasSkeleton"/> is false.</exception>
-    /// <exception cref="ArgumentOutOfRangeException">The bone does not exist.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">The bone is not defined.</exception>
     public BoneTransform this[Bone bone] => new(GetPosition(bone), GetRotation(bone));
 
     /// <summary>
@@ -83,7 +83,7 @@ public sealed class MotionFrame : AvatarFrame
     /// <param name="bone">A bone.</param>
     /// <returns>Centimetres.</returns>
     /// <exception cref="InvalidOperationException"><see cref="HasSkeleton"/> is false.</exception>
-    /// <exception cref="ArgumentOutOfRangeException">The bone does not exist.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">The bone is not defined.</exception>
     public Vector3 GetPosition(Bone bone)
     {
         int index = Layout.GetPositionIndex(bone);
@@ -94,7 +94,7 @@ public sealed class MotionFrame : AvatarFrame
     /// <param name="bone">A bone.</param>
     /// <returns>Degrees, in the order of <see cref="SkeletonFormat.RotationOrder"/>: for YXZ, component X is the angle about Y.</returns>
     /// <exception cref="InvalidOperationException"><see cref="HasSkeleton"/> is false.</exception>
-    /// <exception cref="ArgumentOutOfRangeException">The bone does not exist.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">The bone is not defined.</exception>
     public Vector3 GetEulerAngles(Bone bone) => ReadVector(Layout.GetRotationIndex(bone));
 
     /// <summary>
@@ -104,7 +104,7 @@ public sealed class MotionFrame : AvatarFrame
     /// <param name="bone">A bone.</param>
     /// <returns>A unit quaternion.</returns>
     /// <exception cref="InvalidOperationException"><see cref="HasSkeleton"/> is false.</exception>
-    /// <exception cref="ArgumentOutOfRangeException">The bone does not exist.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">The bone is not defined.</exception>
     public Quaternion GetRotation(Bone bone) => EulerAngles.ToQuaternion(GetEulerAngles(bone), _format.RotationOrder);
 
     /// <summary>
@@ -156,7 +156,7 @@ public sealed class MotionFrame : AvatarFrame
         ForwardKinematics.ToWorld(destination, destination, body.Variant, GetReference());
     }
 
-    /// <summary>Makes a copy that owns its memory and stays valid.</summary>
+    /// <summary>Creates a copy that owns its memory and stays valid.</summary>
     /// <returns>A frame equal to this one, including its time of receipt.</returns>
     public new MotionFrame Clone()
     {

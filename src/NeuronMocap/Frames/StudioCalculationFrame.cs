@@ -22,7 +22,7 @@ public sealed class StudioCalculationFrame : AvatarFrame
 
     private bool _hasSkeleton;
 
-    /// <summary>Makes a frame that owns its memory. Use it to test code that takes frames, or to provide frames from another source.</summary>
+    /// <summary>Creates a frame that owns its memory. Use it to test code that takes frames, or to provide frames from another source.</summary>
     /// <param name="header">The header; its count is replaced by the number of bytes.</param>
     /// <param name="payload">The bytes after the header; copied.</param>
     public StudioCalculationFrame(in StudioCalculationHeader header, ReadOnlySpan<byte> payload)
@@ -61,7 +61,7 @@ public sealed class StudioCalculationFrame : AvatarFrame
     /// <param name="bone">A bone.</param>
     /// <returns>The quaternion as received; the order in the stream is x y z w.</returns>
     /// <exception cref="InvalidOperationException"><see cref="HasSkeleton"/> is false.</exception>
-    /// <exception cref="ArgumentOutOfRangeException">The bone does not exist.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">The bone is not defined.</exception>
     public Quaternion GetSensorRotation(Bone bone) => ReadQuaternion(bone, 0);
 
     /// <summary>Gets the angular velocity that a bone's sensor measures.</summary>
@@ -71,7 +71,7 @@ public sealed class StudioCalculationFrame : AvatarFrame
     /// <see cref="CalculationFrame.GetAngularVelocity"/>.
     /// </returns>
     /// <exception cref="InvalidOperationException"><see cref="HasSkeleton"/> is false.</exception>
-    /// <exception cref="ArgumentOutOfRangeException">The bone does not exist.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">The bone is not defined.</exception>
     public Vector3 GetAngularVelocity(Bone bone) => ReadVector(bone, 4);
 
     /// <summary>Gets the acceleration that a bone's sensor measures.</summary>
@@ -81,21 +81,21 @@ public sealed class StudioCalculationFrame : AvatarFrame
     /// <see cref="CalculationFrame.GetAcceleration"/>.
     /// </returns>
     /// <exception cref="InvalidOperationException"><see cref="HasSkeleton"/> is false.</exception>
-    /// <exception cref="ArgumentOutOfRangeException">The bone does not exist.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">The bone is not defined.</exception>
     public Vector3 GetAcceleration(Bone bone) => ReadVector(bone, 7);
 
     /// <summary>Gets the velocity of a bone's joint in the world.</summary>
     /// <param name="bone">A bone.</param>
     /// <returns>The velocity in the axes set on the server. The unit is not documented; metres per second is likely.</returns>
     /// <exception cref="InvalidOperationException"><see cref="HasSkeleton"/> is false.</exception>
-    /// <exception cref="ArgumentOutOfRangeException">The bone does not exist.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">The bone is not defined.</exception>
     public Vector3 GetVelocity(Bone bone) => ReadVector(bone, 10);
 
     /// <summary>Gets the position of a bone's joint in the world.</summary>
     /// <param name="bone">A bone.</param>
     /// <returns>Metres, in the axes set on the server.</returns>
     /// <exception cref="InvalidOperationException"><see cref="HasSkeleton"/> is false.</exception>
-    /// <exception cref="ArgumentOutOfRangeException">The bone does not exist.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">The bone is not defined.</exception>
     public Vector3 GetPosition(Bone bone) => ReadVector(bone, 13);
 
     /// <summary>
@@ -104,16 +104,16 @@ public sealed class StudioCalculationFrame : AvatarFrame
     /// <param name="bone">A bone.</param>
     /// <returns>The quaternion as received; the order in the stream is x y z w.</returns>
     /// <exception cref="InvalidOperationException"><see cref="HasSkeleton"/> is false.</exception>
-    /// <exception cref="ArgumentOutOfRangeException">The bone does not exist.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">The bone is not defined.</exception>
     public Quaternion GetBoneRotation(Bone bone) => ReadQuaternion(bone, 16);
 
     /// <summary>Determines whether the server has lost the sensor of a bone.</summary>
     /// <param name="bone">A bone.</param>
     /// <exception cref="InvalidOperationException"><see cref="HasSkeleton"/> is false.</exception>
-    /// <exception cref="ArgumentOutOfRangeException">The bone does not exist.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">The bone is not defined.</exception>
     public bool IsSensorLost(Bone bone) => BitConverter.SingleToInt32Bits(Read(bone, Flag, 1)[0]) != 0;
 
-    /// <summary>Makes a copy that owns its memory and stays valid.</summary>
+    /// <summary>Creates a copy that owns its memory and stays valid.</summary>
     /// <returns>A frame equal to this one, including its time of receipt.</returns>
     public new StudioCalculationFrame Clone()
     {
@@ -151,7 +151,7 @@ public sealed class StudioCalculationFrame : AvatarFrame
     private ReadOnlySpan<float> Read(Bone bone, int field, int count)
     {
         if ((uint)bone >= BoneHierarchy.BoneCount)
-            throw new ArgumentOutOfRangeException(nameof(bone), bone, "The bone does not exist.");
+            throw new ArgumentOutOfRangeException(nameof(bone), bone, "The bone must be one of the 59 bones, 0 to 58.");
         if (!HasSkeleton)
             throw new InvalidOperationException("The frame does not contain the 59 bones; see HasSkeleton.");
 

@@ -94,7 +94,7 @@ public sealed class PoseBuffer
     /// </param>
     /// <param name="pose">Receives 59 transforms relative to their parents.</param>
     /// <returns>The origin of the pose; <see cref="PoseOrigin.None"/> if no pose was written.</returns>
-    /// <exception cref="ArgumentException">The memory is too small.</exception>
+    /// <exception cref="ArgumentException">The span is too short.</exception>
     public PoseOrigin Sample(double seconds, Span<BoneTransform> pose)
     {
         ForwardKinematics.CheckRoom(pose, nameof(pose));

@@ -31,11 +31,11 @@ public sealed class PoseBufferOptions
     {
         options ??= new PoseBufferOptions();
         if (options.Delay < TimeSpan.Zero)
-            throw new ArgumentOutOfRangeException(nameof(options), options.Delay, "The delay must not be negative.");
+            throw new ArgumentOutOfRangeException(nameof(options), options.Delay, $"Delay is {options.Delay}; it must not be negative.");
         if (options.MaxExtrapolation < TimeSpan.Zero)
-            throw new ArgumentOutOfRangeException(nameof(options), options.MaxExtrapolation, "The extrapolation time must not be negative.");
+            throw new ArgumentOutOfRangeException(nameof(options), options.MaxExtrapolation, $"MaxExtrapolation is {options.MaxExtrapolation}; it must not be negative.");
         if (options.Capacity is < 8 or > 4096)
-            throw new ArgumentOutOfRangeException(nameof(options), options.Capacity, "The capacity must be 8 to 4096 frames.");
+            throw new ArgumentOutOfRangeException(nameof(options), options.Capacity, $"Capacity is {options.Capacity}; it must be 8 to 4096.");
 
         return (PoseBufferOptions)options.MemberwiseClone();
     }

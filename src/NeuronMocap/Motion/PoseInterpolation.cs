@@ -19,7 +19,7 @@ public static class PoseInterpolation
     /// <param name="to">The pose at part 1.</param>
     /// <param name="part">The fraction of the interval, 0 to 1. Values outside this range extrapolate the motion.</param>
     /// <param name="pose">Receives as many transforms as <paramref name="from"/> has. It may be the memory of an input pose.</param>
-    /// <exception cref="ArgumentException">The second pose has fewer transforms, or the destination is too small.</exception>
+    /// <exception cref="ArgumentException">The second pose has fewer transforms, or the destination is too short.</exception>
     public static void Linear(ReadOnlySpan<BoneTransform> from, ReadOnlySpan<BoneTransform> to, double part, Span<BoneTransform> pose)
     {
         Check(from, to, pose);

@@ -16,7 +16,7 @@ public static class PoseVelocity
     /// <param name="later">The latest frame.</param>
     /// <param name="elapsed">Seconds between the two frames.</param>
     /// <param name="velocities">Receives as many velocities as <paramref name="later"/> has transforms.</param>
-    /// <exception cref="ArgumentException">The earlier pose has fewer transforms than the later one, or the destination is too small.</exception>
+    /// <exception cref="ArgumentException">The earlier pose has fewer transforms than the later one, or the destination is too short.</exception>
     public static void ComputeBackward(
         ReadOnlySpan<BoneTransform> earlier, ReadOnlySpan<BoneTransform> later, double elapsed, Span<BoneVelocity> velocities)
     {
@@ -40,7 +40,7 @@ public static class PoseVelocity
     /// <param name="elapsedBefore">Seconds from the previous frame to the frame.</param>
     /// <param name="elapsedAfter">Seconds from the frame to the next frame.</param>
     /// <param name="velocities">Receives as many velocities as <paramref name="now"/> has transforms.</param>
-    /// <exception cref="ArgumentException">A neighbour has fewer transforms than the frame, or the destination is too small.</exception>
+    /// <exception cref="ArgumentException">A neighbour has fewer transforms than the frame, or the destination is too short.</exception>
     public static void ComputeCentral(
         ReadOnlySpan<BoneTransform> before,
         ReadOnlySpan<BoneTransform> now,

@@ -14,7 +14,7 @@ public readonly struct AvatarName : IEquatable<AvatarName>
     private readonly ulong _part2;
     private readonly ulong _part3;
 
-    /// <summary>Makes a name from its bytes in a header.</summary>
+    /// <summary>Creates a name from its bytes in a header.</summary>
     /// <param name="bytes">At most 32 bytes; fewer are padded with zeros.</param>
     /// <exception cref="ArgumentException">There are more than 32 bytes.</exception>
     public AvatarName(ReadOnlySpan<byte> bytes)
@@ -28,7 +28,7 @@ public readonly struct AvatarName : IEquatable<AvatarName>
         this = MemoryMarshal.Read<AvatarName>(padded);
     }
 
-    /// <summary>Makes a name from text. Text beyond 32 bytes of UTF-8 is cut off, between two characters.</summary>
+    /// <summary>Creates a name from text. Text beyond 32 bytes of UTF-8 is cut off, between two characters.</summary>
     /// <param name="text">The name.</param>
     public AvatarName(string text)
     {

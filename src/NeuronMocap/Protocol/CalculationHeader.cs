@@ -6,7 +6,7 @@ namespace NeuronMocap;
 /// <summary>The header of a calculation packet: see manual section 2.1.4 and protocol.md section 2.3.</summary>
 public readonly record struct CalculationHeader
 {
-    /// <summary>Makes a header of data version 1.0.0.3, as in the manual's example.</summary>
+    /// <summary>Creates a header of data version 1.0.0.3, as in the manual's example.</summary>
     public CalculationHeader() => Version = DataVersion.Calculation;
 
     /// <summary>Version of the data format. Unlike the version of a motion header, it has no effect and is not checked.</summary>

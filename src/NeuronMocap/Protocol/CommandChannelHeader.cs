@@ -48,7 +48,7 @@ public readonly record struct CommandChannelHeader
 
     /// <summary>Writes the 16 bytes of the header.</summary>
     /// <param name="destination">At least 16 bytes.</param>
-    /// <exception cref="ArgumentOutOfRangeException">The destination is shorter.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">The destination is too short.</exception>
     public void Write(Span<byte> destination)
     {
         Span<byte> target = destination[..Size];

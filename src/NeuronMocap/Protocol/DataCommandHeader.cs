@@ -12,7 +12,7 @@ public readonly record struct DataCommandHeader
     // Size of an entry in a list of bone sizes: 60 bytes of name, 4 bytes of length.
     internal const int BoneSizeEntry = 64;
 
-    /// <summary>Makes a header as the vendor's b12 library sends it: version 1.0.0.2, no payload.</summary>
+    /// <summary>Creates a header as the vendor's b12 library sends it: version 1.0.0.2, no payload.</summary>
     public DataCommandHeader() => Version = DataVersion.Old;
 
     /// <summary>Version of the data format.</summary>

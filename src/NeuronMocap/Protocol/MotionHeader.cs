@@ -8,7 +8,7 @@ namespace NeuronMocap;
 /// <remarks>One type serves both layouts. Fields that a layout does not have are null or zero.</remarks>
 public readonly record struct MotionHeader
 {
-    /// <summary>Makes the header of an Axis Neuron frame: data version 1.1.0.0.</summary>
+    /// <summary>Creates the header of an Axis Neuron frame: data version 1.1.0.0.</summary>
     public MotionHeader() => Version = DataVersion.New;
 
     /// <summary>Version of the data format. It determines the layout: 1.0 is Old, everything else is New.</summary>

@@ -19,7 +19,7 @@ public sealed class PacketScanner
 {
     private readonly int _maxValues;
 
-    /// <summary>Makes a scanner.</summary>
+    /// <summary>Creates a scanner.</summary>
     /// <param name="maxValues">Largest number of values that a packet may announce, 1 to 1,000,000; packets with more are skipped.</param>
     /// <exception cref="ArgumentOutOfRangeException">The limit is out of range.</exception>
     public PacketScanner(int maxValues = ProtocolConstants.DefaultMaxValues)

@@ -9,7 +9,7 @@ public readonly record struct StudioCalculationHeader
     /// <summary>Value of <see cref="DataMask"/> in packets with the known layout: all seven groups of values for each bone.</summary>
     public const uint FullDataMask = 0xFE;
 
-    /// <summary>Makes a header as Axis Studio sends it: version 2.0.0.0, all groups of values.</summary>
+    /// <summary>Creates a header as Axis Studio sends it: version 2.0.0.0, all groups of values.</summary>
     public StudioCalculationHeader()
     {
         Version = DataVersion.StudioCalculation;

@@ -56,7 +56,7 @@ internal sealed class CombinedStatus(Action<ConnectionStatus> changed, int calcu
         (ConnectionState.Receiving, ConnectionReason.None) => "receiving.",
         (ConnectionState.Waiting or ConnectionState.Stopped, ConnectionReason.Refused) =>
             "connection refused. Switch on calculation data in Axis Neuron's broadcasting settings, and check that its port is the same.",
-        (ConnectionState.Waiting or ConnectionState.Stopped, ConnectionReason.PortInUse) => "used by another program.",
+        (ConnectionState.Waiting or ConnectionState.Stopped, ConnectionReason.PortInUse) => "in use by another program.",
         _ => _calculation.Message,
     };
 }

@@ -53,7 +53,7 @@ public sealed class FootPlanterOptions
         get => _maxHipsShift;
         set => _maxHipsShift = value is >= 0 and <= 1
             ? value
-            : throw new ArgumentOutOfRangeException(nameof(value), value, "The fraction must be between 0 and 1.");
+            : throw new ArgumentOutOfRangeException(nameof(value), value, "The fraction must be a number from 0 to 1.");
     }
 
     /// <summary>Gets or sets how a foot is turned while it is planted.</summary>

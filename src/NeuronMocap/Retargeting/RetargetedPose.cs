@@ -109,7 +109,7 @@ public sealed class RetargetedPose
         _local[node] = Rig.LocalRest[node];
     }
 
-    // Normalises. Of the two quaternions of the rotation, it takes the one closer to the node's last value.
+    // Normalizes. Of the two quaternions of the rotation, it takes the one closer to the node's last value.
     private void SetLocalRotation(int node, Quaternion rotation)
     {
         float factor = 1 / rotation.Length();

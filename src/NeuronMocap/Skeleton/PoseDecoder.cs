@@ -31,7 +31,7 @@ public static class PoseDecoder
         ArgumentNullException.ThrowIfNull(body);
         ForwardKinematics.CheckRoom(local, nameof(local));
         if (values.Length < layout.ValueCount)
-            throw new ArgumentException($"There must be {layout.ValueCount} values.", nameof(values));
+            throw new ArgumentException($"A frame of this layout must have {layout.ValueCount} values, not {values.Length}.", nameof(values));
 
         var turn = new RotationComposer(order);
         Span<float> degrees = stackalloc float[3 * Room];

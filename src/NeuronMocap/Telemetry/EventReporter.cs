@@ -159,7 +159,7 @@ internal sealed class EventReporter(string name, IReaderStatistics figures, Acti
         foreach ((SkipReason reason, string subject) in SkipReasons)
         {
             if (Take(ReaderEventId.BytesSkipped, subject, figures.GetSkipped(reason), now, force) is { Count: > 0 } skipped)
-                report(skipped with { Message = Text($"{Number(skipped.Count, "byte")} outside any packet ({Describe(reason)}); {skipped.Total} in all.") });
+                report(skipped with { Message = Text($"{Number(skipped.Count, "byte")} outside packets ({Describe(reason)}); {skipped.Total} in all.") });
         }
     }
 

@@ -81,11 +81,11 @@ internal static class NeuronMeter
             ];
         });
         AddCounter("io", "By", "Bytes of the stream, delivered or skipped.", Total(static total => total.BytesReceived));
-        AddCounter("skipped", "By", "Bytes that belong to no packet.", static (reader, figures) => SkipReasons.Select(
+        AddCounter("skipped", "By", "Bytes outside packets.", static (reader, figures) => SkipReasons.Select(
             entry => reader.Measure(figures.GetSkipped(entry.Reason), new KeyValuePair<string, object?>(MeterTags.Reason, entry.Tag))));
         AddCounter("refused", "{datagram}", "Datagrams of senders that are not allowed.", Total(static total => total.RefusedDatagrams));
-        AddCounter("dropped", "{frame}", "Frames that found a queue full.", PerConsumer(static consumer => consumer.Dropped));
-        AddCounter("restarts", "{restart}", "Times that the server restarted its frame count.", Total(static total => total.Restarts));
+        AddCounter("dropped", "{frame}", "Frames that were dropped because a queue was full.", PerConsumer(static consumer => consumer.Dropped));
+        AddCounter("restarts", "{restart}", "How often the server restarted its frame count.", Total(static total => total.Restarts));
         AddCounter("reconnects", "{connection}", "Connections made after the first.", Total(static total => total.Reconnects));
         AddCounter("failures", "{exception}", "Exceptions of the application's handlers.", Total(static total => total.CallbackFailures));
 
@@ -93,7 +93,7 @@ internal static class NeuronMeter
         AddUpDown("lost", "{frame}", "Frames that the server sent and that did not arrive.", Total(static total => total.Lost));
         AddUpDown("gaps", "{gap}", "Runs of lost frames.", Total(static total => total.Gaps));
         AddUpDown("queue.length", "{frame}", "Frames that wait in queues.", PerConsumer(static consumer => consumer.Waiting));
-        AddUpDown("state", "{reader}", "1 for the state of the connection, 0 for every other.", static (reader, figures) => States.Select(
+        AddUpDown("state", "{reader}", "1 for the current state of the connection, 0 for all others.", static (reader, figures) => States.Select(
             entry => reader.Measure(figures.State == entry.State ? 1L : 0L, new KeyValuePair<string, object?>(MeterTags.State, entry.Tag))));
         meter.CreateObservableGauge(Prefix + "frame.age", () => Observe(MeasureAge), "s", "Age of the newest frame.");
         return meter;

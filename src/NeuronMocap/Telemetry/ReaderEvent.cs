@@ -27,7 +27,7 @@ public enum ReaderEventId
     /// <summary>A queue was full and dropped frames.</summary>
     FramesDropped = 11,
 
-    /// <summary>Bytes arrived that belong to no packet.</summary>
+    /// <summary>Bytes arrived outside packets.</summary>
     BytesSkipped = 12,
 
     /// <summary>A handler of the application threw an exception.</summary>

@@ -79,7 +79,7 @@ internal static class ConnectionMessages
     public static string UdpFailed(ConnectionReason reason, LinkOptions options, Exception exception) => reason switch
     {
         ConnectionReason.PortInUse =>
-            $"UDP port {options.Port} is used by another program. Close it, or choose another port here and in Axis Neuron's broadcasting settings.",
+            $"UDP port {options.Port} is in use by another program. Close it, or choose another port here and in Axis Neuron's broadcasting settings.",
         ConnectionReason.AddressUnavailable =>
             $"The local address {options.LocalAddress} does not belong to this computer. Choose an address of this computer, or none to receive on all.",
         ConnectionReason.AccessDenied => $"This computer does not allow UDP port {options.Port}. Choose port 1024 or higher.",

@@ -120,7 +120,7 @@ internal readonly record struct FormatGuess(ForeignFormat Format, string Text, s
         foreach ((string beginning, string name) in OtherPrograms)
         {
             if (StartsWith(start, beginning))
-                return new(ForeignFormat.OtherProgram, name, "Check the port; Axis Neuron's default is 7001.");
+                return new(ForeignFormat.OtherProgram, name, "Check the port against the one in the server's broadcasting settings; it is usually 7001.");
         }
 
         return null;
@@ -136,7 +136,7 @@ internal readonly record struct FormatGuess(ForeignFormat Format, string Text, s
     private static FormatGuess Unknown(ReadOnlySpan<byte> start) => new(
         ForeignFormat.Unknown,
         $"of no known format; it starts with {ToHex(start)}",
-        "Check the port; Axis Neuron's default is 7001.");
+        "Check the port against the one in the server's broadcasting settings; it is usually 7001.");
 
     private static bool StartsWith(ReadOnlySpan<byte> bytes, string beginning)
     {

@@ -9,7 +9,7 @@ internal sealed class SenderFilter(IReadOnlyList<IPAddress> allowed)
     // Thousands of addresses can be forged. The first few are enough to recognize a forgotten setting.
     private const int MaxNames = 4;
 
-    private readonly byte[][] _allowed = [.. allowed.Select(static address => Normalise(address).GetAddressBytes())];
+    private readonly byte[][] _allowed = [.. allowed.Select(static address => Normalize(address).GetAddressBytes())];
     private volatile byte[][] _refused = [];
     private long _refusedDatagrams;
 
@@ -61,5 +61,5 @@ internal sealed class SenderFilter(IReadOnlyList<IPAddress> allowed)
         return address;
     }
 
-    private static IPAddress Normalise(IPAddress address) => address.IsIPv4MappedToIPv6 ? address.MapToIPv4() : address;
+    private static IPAddress Normalize(IPAddress address) => address.IsIPv4MappedToIPv6 ? address.MapToIPv4() : address;
 }

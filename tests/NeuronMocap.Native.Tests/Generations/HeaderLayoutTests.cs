@@ -123,7 +123,7 @@ public sealed class HeaderLayoutTests
     }
 
     [Theory]
-    [InlineData("B12", "NEURONDATAREADER_HEADER is 'B12'; it has to be 'b12' or not set.")]
+    [InlineData("B12", "NEURONDATAREADER_HEADER is 'B12'; it must be 'b12' or not set.")]
     [InlineData("", "No error.")]
     public async Task An_unknown_value_selects_the_new_header_with_a_warning(string value, string error)
     {

@@ -68,7 +68,7 @@ public sealed class DiagnosisTests
 
         Assert.Equal(1, result.ExitCode);
         Assert.Contains($"UDP port {port}", result.Output[0], StringComparison.Ordinal);
-        Assert.Contains("THE PORT IS IN USE", result.Output);
+        Assert.Contains("PORT IN USE", result.Output);
     }
 
     [Theory]

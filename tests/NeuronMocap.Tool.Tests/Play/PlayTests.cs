@@ -39,7 +39,7 @@ public sealed class PlayTests : IDisposable
         Assert.Equal(
             Enumerable.Range(0, 10),
             result.OfType("frame").Select(static line => JsonDocument.Parse(line).RootElement.GetProperty("index").GetInt32()));
-        Assert.Contains("is over", string.Join('\n', result.Output), StringComparison.Ordinal);
+        Assert.Contains("has ended", string.Join('\n', result.Output), StringComparison.Ordinal);
     }
 
     [Fact]
@@ -68,7 +68,7 @@ public sealed class PlayTests : IDisposable
     {
         await File.WriteAllTextAsync(_dump, "HIERARCHY", TestContext.Current.CancellationToken);
         ToolResult other = await ToolRunner.RunAsync("play", _dump);
-        Assert.Equal((1, $"neuron-mocap: {_dump} is a BVH file, not a recording of a stream. neuron-mocap convert makes one of it."), (other.ExitCode, Assert.Single(other.Error)));
+        Assert.Equal((1, $"neuron-mocap: '{_dump}' is a BVH file, not a recording of a stream. neuron-mocap convert turns it into one."), (other.ExitCode, Assert.Single(other.Error)));
         ToolResult missing = await ToolRunner.RunAsync("play", _dump + "x");
         Assert.Equal((1, true), (missing.ExitCode, Assert.Single(missing.Error) == $"neuron-mocap: '{_dump}x' does not exist."));
         ToolResult timed = await ToolRunner.RunAsync("play", _recording, "--rate", "60");

@@ -121,7 +121,7 @@ public sealed class ExportTests : IDisposable
         ToolResult result = await ToolRunner.RunAsync("watch", "demo", "--quiet", "--frames", "1", "--overwrite", "--export", Target, "--record", recorded);
         Assert.Equal(1, result.ExitCode);
         string line = Assert.Single(result.Error);
-        Assert.Contains($"'{recorded}' is being written already", line, StringComparison.Ordinal);
+        Assert.Contains($"'{recorded}' is already being written", line, StringComparison.Ordinal);
     }
 
     [Theory]

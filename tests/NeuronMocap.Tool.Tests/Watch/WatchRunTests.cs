@@ -164,7 +164,7 @@ public sealed class WatchRunTests
         ToolResult result = await ToolRunner.RunAsync("watch", $"udp://:{port}", "--once", "--quiet");
 
         Assert.Equal(1, result.ExitCode);
-        Assert.Contains($"UDP port {port} is used by another program", Assert.Single(result.Error), StringComparison.Ordinal);
+        Assert.Contains($"UDP port {port} is in use by another program", Assert.Single(result.Error), StringComparison.Ordinal);
     }
 
     [Theory]

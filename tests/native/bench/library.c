@@ -1,4 +1,4 @@
-/* bench-library: the same through the library's callback. */
+/* bench-library: receives through the library's callback. */
 #include "memory.h"
 #include "receiver.h"
 
@@ -10,10 +10,10 @@
 #include <string.h>
 #include <time.h>
 
-/* Frames in which whatever is made once is made. */
+/* During these frames the library makes everything that it makes only once. */
 enum { WARM_UP = 2000 };
 
-/* Of the callback, which runs on one thread; the main thread looks when the stream has ended. */
+/* Written by the callback, which runs on one thread. The main thread reads them after the stream has ended. */
 static int64_t frames_seen, frames_wanted, first_frame;
 static uint64_t sum;
 static sem_t ended;
@@ -117,7 +117,7 @@ void receive_delays(int port)
     sem_wait(&ended);
 }
 
-/* Until all have come, or none for a second. */
+/* Receives until all frames have arrived, or none has arrived for a second. */
 void receive_datagrams(int port, size_t frames)
 {
     size_t before;
@@ -129,7 +129,7 @@ void receive_datagrams(int port, size_t frames)
         fprintf(stderr, "%s\n", BRGetLastErrorMessage());
         exit(1);
     }
-    tell_ready();
+    report_ready();
     do {
         struct timespec until;
 

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# Measures the C library against a receiver in C that does nothing else: builds both, prints the table, and writes every figure as JSON to a
-# folder (the first argument, else "results"). Further arguments go to the benchmarks, such as --runs 3. Takes about seven minutes, in which
-# the machine should have nothing else to do.
+# Compares the C library with a C receiver that only receives. Builds both, prints the table, and writes every figure as JSON to a folder:
+# the first argument, or "results". Passes further arguments to the benchmarks, such as --runs 3. Takes about seven minutes. During this
+# time, the machine should do nothing else.
 set -euo pipefail
 out=$(realpath -m "${1:-results}")
 shift || true

@@ -1,4 +1,4 @@
-/* Counts the calls of the allocator by standing before it: the program's functions win over those of the C library, also for libraries. */
+/* Counts the calls of the allocator. Functions of a program override those of the C library, for libraries too. */
 #include "memory.h"
 
 #include <fcntl.h>
@@ -32,7 +32,7 @@ void *realloc(void *memory, size_t size)
     return __libc_realloc(memory, size);
 }
 
-/* Of the calling thread: pages that were touched for the first time. */
+/* Page faults of the calling thread: pages that it touched for the first time. */
 static long faults_now(void)
 {
     struct rusage usage;
@@ -41,7 +41,7 @@ static long faults_now(void)
     return usage.ru_minflt;
 }
 
-/* Pages of the process in memory, read without a stream, which would allocate. */
+/* Resident pages of the process. Reads the file without a stream, because a stream allocates. */
 static long resident_now(void)
 {
     char text[128];

@@ -1,8 +1,8 @@
-/* What memory the receive thread takes while frames come: nothing, it should be. */
+/* Measures the memory that the receive thread takes while frames arrive. It should take none. */
 #ifndef MEMORY_H
 #define MEMORY_H
 
-/* Both on the receive thread, in a callback: the difference is printed. */
+/* Call both on the receive thread, in a callback. memory_end prints the difference. */
 void memory_begin(void);
 void memory_end(void);
 

@@ -1,4 +1,4 @@
-/* bench-raw: the floor. Blocking receives into one buffer, nothing parsed. */
+/* bench-raw: the lower bound. Receives into one buffer with blocking calls and parses nothing. */
 #include "receiver.h"
 
 #include <arpa/inet.h>
@@ -49,7 +49,7 @@ void receive_throughput(int port, int64_t frames)
     measure_end(received / FRAME_SIZE);
 }
 
-/* The sum of all 32-bit words of the stream. Bytes of one that has not come whole wait at the start of the buffer. */
+/* Sums all 32-bit words of the stream. The bytes of an incomplete word wait at the start of the buffer. */
 void receive_checked(int port, int64_t frames)
 {
     int handle = connect_to(port);
@@ -89,16 +89,16 @@ void receive_delays(int port)
     }
 }
 
-/* Until all have come, or none for a second. */
+/* Receives until all frames have arrived, or none has arrived for a second. */
 void receive_datagrams(int port, size_t frames)
 {
     int handle = open_socket(SOCK_DGRAM, port, bind);
-    struct timeval patience = {1, 0};
+    struct timeval timeout = {1, 0};
 
-    tell_ready();
+    report_ready();
     while (delays_count() < frames && recv(handle, buffer, sizeof buffer, 0) == FRAME_SIZE) {
         delays_add(buffer + HEADER_SIZE, clock_now());
-        setsockopt(handle, SOL_SOCKET, SO_RCVTIMEO, &patience, sizeof patience);
+        setsockopt(handle, SOL_SOCKET, SO_RCVTIMEO, &timeout, sizeof timeout);
     }
 }
 

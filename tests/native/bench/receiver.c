@@ -1,4 +1,4 @@
-/* The frame of both receivers of the benchmarks. tests/NeuronMocap.Benchmarks runs them against its senders: `native`. */
+/* The main function that both receivers share. The verb `native` of tests/NeuronMocap.Benchmarks runs them against its senders. */
 #include "receiver.h"
 
 #include <stdio.h>
@@ -20,7 +20,7 @@ int64_t clock_now(void)
     return now.tv_sec * INT64_C(1000000000) + now.tv_nsec;
 }
 
-/* Of all threads, in nanoseconds. */
+/* CPU time of all threads, in nanoseconds. */
 static int64_t cpu_now(void)
 {
     struct timespec now;
@@ -73,7 +73,7 @@ void delays_print(void)
         printf("%lld\n", (long long)delays[i]);
 }
 
-void tell_ready(void)
+void report_ready(void)
 {
     puts("ready");
     fflush(stdout);
@@ -87,13 +87,13 @@ static void usage(void)
 
 int main(int count, char **arguments)
 {
-    const char *way = count > 2 ? arguments[1] : "";
+    const char *mode = count > 2 ? arguments[1] : "";
     int port = count > 2 ? atoi(arguments[2]) : 0;
     long long frames = count > 3 ? atoll(arguments[3]) : 0;
 
     alarm(120);
-    if (strcmp(way, "start") == 0) {
-        /* The time goes with the program that takes its place: what follows is a start from nothing. */
+    if (strcmp(mode, "start") == 0) {
+        /* exec starts the program again and passes the time on, so the measured start includes loading the program. */
         char started[24];
 
         snprintf(started, sizeof started, "%lld", (long long)clock_now());
@@ -101,17 +101,17 @@ int main(int count, char **arguments)
         perror("exec");
         return 1;
     }
-    if (strcmp(way, "started") == 0) {
+    if (strcmp(mode, "started") == 0) {
         receive_first(port, frames);
-    } else if (strcmp(way, "throughput") == 0) {
+    } else if (strcmp(mode, "throughput") == 0) {
         receive_throughput(port, frames);
-    } else if (strcmp(way, "check") == 0) {
+    } else if (strcmp(mode, "check") == 0) {
         receive_checked(port, frames);
-    } else if (strcmp(way, "latency") == 0) {
+    } else if (strcmp(mode, "latency") == 0) {
         delays_reserve((size_t)frames);
         receive_delays(port);
         delays_print();
-    } else if (strcmp(way, "udp") == 0) {
+    } else if (strcmp(mode, "udp") == 0) {
         delays_reserve((size_t)frames);
         receive_datagrams(port, (size_t)frames);
         delays_print();

@@ -1,4 +1,4 @@
-/* Commands on the command channel, as C programs send them and, included in channel.cpp, C++ programs. Lines on its input say what to call; a test drives it. */
+/* Sends commands on the command channel, as C programs do. channel.cpp includes this file for C++. Input lines name the functions to call; a test drives it. */
 #include <NeuronDataReader.h>
 
 #include <pthread.h>
@@ -9,10 +9,10 @@
 
 #define THREADS 4
 
-/* Programs whose language or declaration takes the result for an int: the bytes above the bool have to be 0. */
+/* Some languages and declarations read the result as an int, so the bytes above the bool must be 0. */
 typedef int (NEURONDATAREADER_CALL *IntResult)(SOCKET_REF, int);
 
-/* A conversion that compilers do not question. */
+/* Converts the function pointer without a compiler warning. */
 static IntResult zero_out_as_int(void)
 {
     IntResult result;
@@ -45,7 +45,7 @@ static void print_bone_size(bool (NEURONDATAREADER_CALL *ask)(SOCKET_REF, int, B
     printf("\n");
 }
 
-/* What the call made of room for len bytes that are all 'x' before, and of one more that is not its. */
+/* Prints what the call wrote into len bytes, all 'x' before, and whether it left the byte after them unchanged. */
 static void print_header(SOCKET_REF socket, int avatar, int len)
 {
     size_t room = len > 0 ? (size_t)len : 0, end, i;
@@ -99,7 +99,7 @@ static void print_threads(SOCKET_REF socket)
     printf("\n");
 }
 
-/* For a command that is under way while another is called. */
+/* Runs a command while another one is waiting for its answer. */
 static void *ask_once(void *argument)
 {
     printf("asked %d\n", ZeroOutAll((SOCKET_REF)argument));

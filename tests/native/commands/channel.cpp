@@ -1,2 +1,2 @@
-// The same as a C++ program: bool is C++'s own.
+// channel.c, compiled as C++: bool is C++'s own type.
 #include "channel.c"

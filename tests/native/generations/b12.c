@@ -1,6 +1,6 @@
 /*
- * As programs for b12 were written: frames with the old header, and commands on the data connection. Lines on its input say what to call; a test drives it.
- * Compiled with OLD_BINARY it is such a program as was compiled long ago: it cannot say which layout its structs have.
+ * A typical program for b12: frames with the old header, and commands on the data connection. Input lines name the functions to call; a test drives it.
+ * With OLD_BINARY it stands for a program that was compiled with the vendor's headers: it does not tell the library the layout of its structs.
  */
 #define NEURONDATAREADER_B12
 #include <NeuronDataReader.h>
@@ -14,7 +14,7 @@
 #undef BRRegisterFrameDataCallback
 #endif
 
-/* A command that the next callback is to send, -1 for none. */
+/* The command that the next callback of each kind sends, or -1 for none. */
 static volatile int in_frame = -1;
 static volatile int in_answer = -1;
 

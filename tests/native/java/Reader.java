@@ -12,7 +12,7 @@ import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.atomic.AtomicLong;
 
-/** Frames, status and commands through JNA, as Java programs are written; and what the virtual machine itself needs signals for. Arguments: two ports. */
+/** A typical Java program: frames, status and commands through JNA. It also makes the virtual machine use its own signals. Arguments: two ports. */
 public final class Reader {
     public interface NeuronDataReader extends Library {
         void BRRegisterFrameDataCallback(Pointer customedObj, FrameDataReceived handle);
@@ -31,7 +31,7 @@ public final class Reader {
 
         Pointer BRConnectCmd(String serverIP, int nPort);
 
-        // JNA takes a boolean for an int.
+        // JNA reads a boolean result as an int.
         boolean ZeroOut(Pointer sockRef, int avatarIndex);
 
         byte ZeroOutAll(Pointer sockRef);
@@ -127,7 +127,7 @@ public final class Reader {
     private static final CountDownLatch calculation = new CountDownLatch(1);
     private static volatile Object nothing;
 
-    // Callbacks are kept as long as the library may call them: JNA frees what nobody refers to.
+    // The fields keep the callbacks alive while the library may call them: JNA frees callbacks without references.
     private static final FrameDataReceived onFrame = (object, sender, header, data) -> {
         float[] values = data.getFloatArray(0, header.DataCount & 0xFFFF);
         boolean isRight = (header.Token1 & 0xFFFF) == 0xDDFF && (header.Token2 & 0xFFFF) == 0xEEFF && header.Version.Major == 1
@@ -181,7 +181,7 @@ public final class Reader {
         System.out.println("closed " + (wrong.get() == 0) + " " + library.BRGetSocketStatus(connection) + " " + (frames.get() == after));
     }
 
-    // Null pointers and the stops for garbage collection are faults that the machine catches by SIGSEGV, and a stack that is too deep is one, too.
+    // The virtual machine catches SIGSEGV for null references, for the stops of its garbage collection, and for stack overflows.
     private static String useSignals() throws Exception {
         AtomicLong spun = new AtomicLong();
         Thread spinning = new Thread(() -> {

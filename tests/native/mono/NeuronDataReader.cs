@@ -1,4 +1,4 @@
-// A wrapper around the native library in the shape of b15's, as Unity projects have one.
+// A wrapper around the native library with the shape of b15's, as in many Unity projects.
 using System;
 using System.Runtime.InteropServices;
 

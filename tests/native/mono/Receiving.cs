@@ -1,4 +1,5 @@
-// Receives with a user's script through the native library, while Mono collects and catches null references. Arguments: two ports, a number of frames.
+// Receives through the native library with a user's script, while Mono collects garbage and catches null references. Arguments: two ports, a number of
+// frames.
 using System;
 using System.Threading;
 using NeuronDataReaderWraper;
@@ -39,7 +40,7 @@ public static class Receiving
         return 0;
     }
 
-    // The first frame, and how many follow one another.
+    // Describes the first frame if all frames follow one another; otherwise returns the index of the first gap.
     private static string Check(ReceivedFrame[] frames, long customObject)
     {
         uint index = 0;

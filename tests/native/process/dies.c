@@ -1,4 +1,4 @@
-/* Ends of a signal while it receives: a fault of its own, or one that is sent. */
+/* Dies of a signal while it receives: its own fault, or a signal that is sent to it. */
 #include "process.h"
 
 #include <sys/resource.h>
@@ -11,7 +11,7 @@ int main(int count, char **arguments)
 
     alarm(120);
     setrlimit(RLIMIT_CORE, &no_core);
-    /* Whoever started the program may have it ignored. */
+    /* The parent process may have set the signal to be ignored. */
     signal(number, SIG_DFL);
     CHECK(BRConnectTo("127.0.0.1", port) != NULL);
     if (is_fault && number == SIGSEGV)

@@ -1,4 +1,5 @@
-// Ends in the way its argument names, while it receives at full speed. Its callback uses an object that exit destroys, and that calls the library then.
+// Ends in the way that its argument names, while it receives at full speed. Its callback uses an object that exit destroys. The object's destructor calls
+// the library.
 #include "process.h"
 
 #include <sys/resource.h>
@@ -19,7 +20,7 @@ public:
         sums.shrink_to_fit();
         BRCloseSocket(socket);
         BRRegisterFrameDataCallback(NULL, NULL);
-        // Time for callbacks that should not come.
+        // Leaves time for callbacks that must not come.
         usleep(20000);
     }
 
@@ -82,7 +83,7 @@ int main(int count, char **arguments)
     BRRegisterFrameDataCallback(NULL, on_frame);
     BRRegisterSocketStatusCallback(NULL, on_status);
     for (int i = 0; i < 3; i++) {
-        // A second connection to the same place would be the first.
+        // A second connection to the same address would return the first.
         char hosts[][16] = {"127.0.0.1", "127.0.0.2", "localhost"};
         statistics.closes_at_exit(BRConnectTo(hosts[i], port));
     }

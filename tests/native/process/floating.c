@@ -1,5 +1,4 @@
-/* The floating-point environment is the caller's, and nobody else's: each call leaves it as it was, and the numbers that the library reads do not
-   depend on it. */
+/* The floating-point environment belongs to the caller. Each call restores it, and the numbers that the library reads do not depend on it. */
 #include "process.h"
 
 #include <fenv.h>
@@ -24,7 +23,7 @@ static void CALLBACK on_status(void *object, SOCKET_REF sender, SocketStatus sta
     (void)object, (void)sender, (void)status, (void)message;
 }
 
-/* Upwards, with traps; on x64 numbers next to zero are zero, too. */
+/* Rounds upwards and enables traps. On x64 it also turns subnormal numbers into zero. */
 static void make_unusual(void)
 {
     CHECK(fesetround(FE_UPWARD) == 0);
@@ -53,7 +52,7 @@ static void expect_same(const fenv_t *environment)
 
 int main(int count, char **arguments)
 {
-    /* Nearest and upwards differ in the first; the second is so small that it is not normal. */
+    /* The first value differs between rounding to nearest and rounding upwards. The second is subnormal. */
     const char *value = count > 1 ? arguments[1] : "0.1";
     int port = serve(SEND, value), order;
     char text[64];
@@ -82,7 +81,7 @@ int main(int count, char **arguments)
     CALL(BRCloseSocket(other));
     CHECK(!wrong);
 
-    /* Ends while it receives. */
+    /* The process ends while it receives. */
     CALL(socket = BRConnectTo("127.0.0.1", port));
     frames = 0;
     AWAIT(frames > 20);

@@ -1,5 +1,5 @@
-/* Children: of before the first call, which use the library too; of after it, in which its functions fail and which end as they like; and programs that
-   are started while it receives. */
+/* Children of fork. A child made before the first call uses the library. In a child made after it, all functions fail, and the child may end in any
+   way. Also starts programs while it receives. */
 #include "process.h"
 
 #include <errno.h>

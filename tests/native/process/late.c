@@ -1,5 +1,5 @@
-/* Closing while callbacks wait for the thread that closes: read, two, exit. It returns at once, no callback begins after it, and one that ends later still
-   reads its frame. */
+/* Closes while callbacks wait for the thread that closes: read, two, exit. Closing returns soon, no callback begins after it, and a callback that ends
+   later can still read its frame. */
 #include "process.h"
 
 #include <semaphore.h>
@@ -45,7 +45,7 @@ static void CALLBACK on_other_frame(void *object, SOCKET_REF sender, BvhDataHead
     sem_post(&entered);
 }
 
-/* To a server each: a second connection to the same place would be the first. */
+/* Each connection needs its own server: a second connection to the same address would return the first. */
 static void connect_all(const int *ports, SOCKET_REF *sockets)
 {
     int i;
@@ -66,7 +66,7 @@ static void *close_socket(void *socket)
     return NULL;
 }
 
-/* By one thread, or two at once. */
+/* Closes each connection on one thread, or on two at the same time. */
 static void close_all(SOCKET_REF *sockets, int threads)
 {
     pthread_t thread;
@@ -84,7 +84,7 @@ static void close_all(SOCKET_REF *sockets, int threads)
     is_closed = 1;
 }
 
-/* Uses memory as a program does that goes on. */
+/* Uses memory like a program that keeps running, so that freed memory is overwritten. */
 static void receive_others(int port)
 {
     int i;
@@ -134,7 +134,7 @@ int main(int count, char **arguments)
         CHECK(begun_late == 0 && running == ended);
     }
 
-    /* Callbacks that closing waited for held it up for 2 s each. */
+    /* If closing waited for the callbacks to end, it would take 2 s for each. */
     CHECK(quickest < 2);
     return 0;
 }

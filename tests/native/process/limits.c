@@ -1,4 +1,4 @@
-/* A process that may not have much: addresses (KiB), descriptors or threads. Connections fail or receive; nothing else happens. */
+/* A process with a limit on addresses (KiB), descriptors or threads. A connection either fails or receives; nothing else happens. */
 #include "process.h"
 
 #include <dlfcn.h>
@@ -23,7 +23,7 @@ static void *run_counted(void *argument)
     return result;
 }
 
-/* In front of the system's, for the library too. */
+/* Replaces the system's function, for the library too. */
 int pthread_create(pthread_t *thread, const pthread_attr_t *attributes, void *(*function)(void *), void *argument)
 {
     int (*create)(pthread_t *, const pthread_attr_t *, void *(*)(void *), void *);

@@ -1,4 +1,4 @@
-/* Loads the library in all ways, unloads it while it is used, loads it again from a thread that ends, and a copy of it beside it. */
+/* Loads the library with all flags, unloads it while it is in use, loads it again on a thread that ends, and loads a copy of it as well. */
 #include "process.h"
 
 #include <dlfcn.h>
@@ -71,7 +71,7 @@ int main(int count, char **arguments)
     }
 
     use(arguments[2], RTLD_NOW, 1);
-    /* Closed by nobody, and still received by a library that is not loaded any more. */
+    /* Nobody has closed this connection. It still receives, although dlclose was called for the library. */
     use(library, RTLD_NOW, 0);
     frames = 0;
     AWAIT(frames > 20);

@@ -1,4 +1,4 @@
-/* Arguments that make no sense: every function says so, or does nothing. */
+/* Invalid arguments: every function reports an error or does nothing. */
 #include "process.h"
 
 static char *const texts[] = { NULL, "", " ", "\xff\xfe\x80", "no such host", "256.1.1.1", "[", "%s%n", "127.0.0.1:80", "::g" };
@@ -36,7 +36,7 @@ int main(void)
         CHECK(!GetBoneSize(foreign[j], 0, NULL) && !GetBvhHeader(foreign[j], 0, NULL, 8) && !GetBvhHeader(foreign[j], 0, buffer, -1));
         BRCloseSocket(foreign[j]);
     }
-    /* A service takes no commands, and is none. */
+    /* A UDP service accepts no commands and is not a command connection. */
     CHECK(!ZeroOutAll(service) && !GetBvhHeader(service, 0, buffer, 8));
     BRRegisterFrameDataCallback(buffer, NULL);
     BRRegisterCalculationDataCallback(NULL, NULL);

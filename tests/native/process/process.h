@@ -1,4 +1,4 @@
-/* What the programs of this folder share: a check that ends the program, and a server in a process of its own. */
+/* Shared by the programs of this folder: a check that ends the program, and a server in its own process. */
 #ifndef PROCESS_H
 #define PROCESS_H
 
@@ -28,9 +28,9 @@ enum { VALUES = 354 };
 
 /* How the server treats each connection. */
 enum serving {
-    SEND,   /* frames, as fast as they are taken */
-    MIXED,  /* in turn: frames for ever, some frames and the end, some frames and a reset, the end at once */
-    REFUSE  /* a reset at once */
+    SEND,   /* sends frames as fast as the client takes them */
+    MIXED,  /* in turn: sends frames without end; sends some and closes; sends some and resets; closes at once */
+    REFUSE  /* resets at once */
 };
 
 struct session {
@@ -54,7 +54,7 @@ static inline void *serve_session(void *argument)
     return NULL;
 }
 
-static inline void serve_for_ever(int listener, enum serving serving, const char *line)
+static inline void serve_forever(int listener, enum serving serving, const char *line)
 {
     int count;
 
@@ -71,7 +71,7 @@ static inline void serve_for_ever(int listener, enum serving serving, const char
     }
 }
 
-/* Starts the server, which ends with this process; its port. Each frame is one line of text, with the value in all places. */
+/* Starts the server and returns its port. The server ends with this process. Each frame is a line of text in which all numbers are value. */
 static inline int serve(enum serving serving, const char *value)
 {
     static char line[64 * VALUES];
@@ -96,14 +96,14 @@ static inline int serve(enum serving serving, const char *value)
         if (getppid() != program)
             _exit(0);
         alarm(120);
-        serve_for_ever(listener, serving, line);
+        serve_forever(listener, serving, line);
     }
 
     close(listener);
     return ntohs(address.sin_port);
 }
 
-/* Waits for what another thread does, for a minute at most. */
+/* Waits until another thread makes the condition true, for at least a minute. */
 #define AWAIT(condition) \
     do { \
         int waited = 0; \

@@ -1,4 +1,5 @@
-/* Signals stay the program's: dispositions, handlers and masks, with a connection that receives; and a command to a server that is gone raises none. */
+/* Signals belong to the program: the library changes no disposition, handler or mask while it receives. A command to a server that is gone raises no
+   signal. */
 #include "process.h"
 
 #include <setjmp.h>
@@ -98,7 +99,7 @@ int main(void)
     pthread_sigmask(SIG_SETMASK, NULL, &mask_after);
     CHECK(memcmp(&mask_before, &mask_after, sizeof(long)) == 0);
 
-    /* Handlers of before the first call, and of after. */
+    /* Some handlers were set before the first call, others after it. */
     expect_handlers();
     CHECK(calls[SIGSEGV] == 1);
     CHECK(calls[SIGFPE] == 1);
@@ -106,7 +107,7 @@ int main(void)
     expect_handlers();
     CHECK(calls[SIGSEGV] == 2 && calls[SIGFPE] == 2);
 
-    /* With SIGPIPE's default, which ends a program. */
+    /* The default action of SIGPIPE ends the program. */
     commands = BRConnectCmd("127.0.0.1", refusing);
     for (i = 0; i < 20; i++)
         ZeroOutAll(commands);

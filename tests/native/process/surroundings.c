@@ -1,4 +1,5 @@
-/* What a library may spoil in a process: locale, environment, mask, folder, terminal, descriptors, children, threads, output. It prints nothing. */
+/* Checks that the library leaves the process unchanged: locale, environment, umask, folder, terminal, descriptors, children, threads, output. It
+   prints nothing. */
 #include "process.h"
 
 #include <dirent.h>
@@ -61,10 +62,10 @@ int main(void)
     mode_t mask;
 
     alarm(120);
-    /* What it was given. */
+    /* Close the descriptors that the parent process passed on. */
     for (i = 3; i < 256; i++)
         close(i);
-    /* One with a comma in its numbers, where the system has one. */
+    /* Use a locale with a decimal comma, if the system has one. */
     if (setlocale(LC_ALL, "de_DE.UTF-8") == NULL)
         setlocale(LC_ALL, "C.UTF-8");
     locale = strdup(setlocale(LC_ALL, NULL));
@@ -88,7 +89,7 @@ int main(void)
         BRCloseSocket(connection);
     }
 
-    /* A thread or two of the pool come and go. */
+    /* The pool may start or end a few threads at any time. */
     AWAIT(entries_of("/proc/self/fd") <= descriptors);
     AWAIT(entries_of("/proc/self/task") <= threads + 4);
     CHECK(frames > 0 && !wrong);

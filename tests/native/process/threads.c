@@ -1,5 +1,5 @@
-/* Threads of the program: the first call on a small stack, on many at once, and for some time all functions at random on eight of them, beside callbacks
-   that close and connect. */
+/* Threads of the program: the first call on a small stack, or on many threads at the same time; or random calls of all functions on eight threads, while
+   callbacks close and connect. */
 #include "process.h"
 
 #include <limits.h>
@@ -103,7 +103,7 @@ int main(int count, char **arguments)
     }
     CHECK(number != 8 || frames > 0);
 
-    /* The threads that connected are gone, and the connection goes on. */
+    /* The threads that connected have ended. Connections must still work. */
     closes_in_callbacks = 0;
     BRRegisterFrameDataCallback(NULL, on_frame);
     BRRegisterSocketStatusCallback(NULL, NULL);

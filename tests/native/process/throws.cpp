@@ -1,4 +1,4 @@
-// Leaves a callback as none may: by an exception that it does not catch, on the receive thread or on the thread that calls.
+// Lets an exception leave a callback, which is not allowed, on the receive thread or on the calling thread.
 #include "process.h"
 
 #include <sys/resource.h>

@@ -1,4 +1,4 @@
-"""Frames, status and commands through ctypes, as Python programs are written. Arguments: the library, what to do, ports."""
+"""A typical Python program: frames, status and commands through ctypes. Arguments: the library, receive or wait, ports."""
 import ctypes
 import signal
 import sys
@@ -43,12 +43,12 @@ CalculationDataReceived = CFUNCTYPE(None, c_void_p, c_void_p, POINTER(CalcDataHe
 SocketStatusChanged = CFUNCTYPE(None, c_void_p, c_void_p, c_int, c_char_p)
 CommandDataReceived = CFUNCTYPE(None, c_void_p, c_void_p, POINTER(CommandPack), c_void_p)
 
-# In one piece: print writes word by word, and other threads' words come in between.
+# Writes a line with one call: print writes word by word, so the words of other threads could come in between.
 def say(*words):
     sys.stdout.write(" ".join(map(str, words)) + "\n")
 
 
-# Whether frames are printed, and how many of each connection came.
+# Whether to print frames, and the number of frames received on each connection.
 verbose = True
 counts = {}
 
@@ -148,7 +148,7 @@ def receive(library, port, commands):
 
 
 def wait(library, port):
-    # A shell that starts its programs in the background has switched SIGINT off.
+    # A shell makes programs that it starts in the background ignore SIGINT.
     signal.signal(signal.SIGINT, signal.default_int_handler)
     register(library)
     connection = library.BRConnectTo(b"127.0.0.1", port)
@@ -159,7 +159,7 @@ def wait(library, port):
         say("interrupted")
         raise
     finally:
-        # An interpreter that ends makes a thread exit that calls into it, in the middle of the library.
+        # Close first: when the interpreter ends, it stops any thread that calls into it, even inside the library.
         library.BRCloseSocket(connection)
 
 

@@ -16,7 +16,7 @@ namespace NeuronMocap.Unity.EditorTools
             (SourceState.Connecting, _) => "Connecting",
             (SourceState.Connected, _) => "Connected, waiting for frames",
             (SourceState.Silent, ConnectionReason.UnknownFormat) => "Data arrives, but no frames",
-            (SourceState.Silent, ConnectionReason.SenderNotAllowed) => "The sender is not allowed",
+            (SourceState.Silent, ConnectionReason.SenderNotAllowed) => "Sender not allowed",
             (SourceState.Silent, _) => "Nothing arrives",
             (SourceState.Ended, _) => "The file has ended",
             (SourceState.Closed, _) => "Closed",

@@ -56,7 +56,7 @@ namespace NeuronMocap.Unity.EditorTools
                     ? new RigProblem(Severity.Error, "The Animator has no avatar; the model has one.", $"Assign {avatar.name}", () => RigFixes.SetAvatar(animator, avatar))
                     : new RigProblem(
                         Severity.Error,
-                        "The Animator has no avatar." + (model is null ? " In the model's import settings, tab Rig, choose Humanoid, and assign the avatar." : string.Empty),
+                        "The Animator has no avatar." + (model is null ? " In the model's import settings, tab Rig, set Animation Type to Humanoid, and assign the avatar." : string.Empty),
                         model is null ? null : "Import the Model as Humanoid",
                         () => RigFixes.ImportAsHumanoid(animator, model!));
             }
@@ -64,7 +64,7 @@ namespace NeuronMocap.Unity.EditorTools
             if (animator.avatar.isHuman && animator.avatar.isValid)
                 return null;
 
-            // isHuman is also false for an avatar that Unity failed to create. Its human description tells the two cases apart.
+            // isHuman is also false for an avatar that Unity failed to create. Its human description distinguishes the two cases.
             if (animator.avatar.isHuman || animator.avatar.humanDescription.human is { Length: > 0 })
             {
                 return new RigProblem(
@@ -74,7 +74,7 @@ namespace NeuronMocap.Unity.EditorTools
 
             string fault = $"The avatar {animator.avatar.name} is not Humanoid.";
             return model is null
-                ? new RigProblem(Severity.Error, $"{fault} Choose Humanoid in the model's import settings, or use a Generic Rig Driver.")
+                ? new RigProblem(Severity.Error, $"{fault} In the model's import settings, tab Rig, set Animation Type to Humanoid, or use a Generic Rig Driver.")
                 : new RigProblem(Severity.Error, fault, "Import the Model as Humanoid", () => RigFixes.ImportAsHumanoid(animator, model));
         }
 

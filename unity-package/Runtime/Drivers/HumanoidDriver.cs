@@ -8,7 +8,7 @@ using UnityEngine;
 namespace NeuronMocap.Unity
 {
     /// <summary>
-    /// Moves a figure that has an Animator with a Humanoid avatar as a performer moves. Proportions and rest pose of the figure may be any. Its bones
+    /// Moves a figure that has an Animator with a Humanoid avatar as a performer moves. The figure may have any proportions and any rest pose. Its bones
     /// turn away from the avatar's T-pose as the performer's bones do.
     /// </summary>
     [AddComponentMenu("NeuronMocap/Humanoid Driver")]
@@ -96,11 +96,11 @@ namespace NeuronMocap.Unity
             if (animator == null)
                 return "No Animator found. Put this component on the figure, or assign the figure's Animator to Animator.";
             if (animator.avatar == null)
-                return "The Animator has no avatar. In the model's import settings, tab Rig, choose Humanoid, and assign the avatar to the Animator.";
+                return "The Animator has no avatar. In the model's import settings, tab Rig, set Animation Type to Humanoid, and assign the avatar to the Animator.";
             if (!animator.avatar.isValid)
                 return $"The avatar {animator.avatar.name} is not valid. In the model's import settings, tab Rig, open Configure and map the bones in red.";
             if (!animator.avatar.isHuman)
-                return $"The avatar {animator.avatar.name} is not Humanoid. In the model's import settings, tab Rig, choose Humanoid, or use a Generic Rig Driver.";
+                return $"The avatar {animator.avatar.name} is not Humanoid. In the model's import settings, tab Rig, set Animation Type to Humanoid, or use a Generic Rig Driver.";
 
             return string.Empty;
         }

@@ -35,7 +35,7 @@ namespace NeuronMocap.Unity
         private bool _isDue;
 
         /// <summary>
-        /// Occurs when a figure was built, for the first time or for other sizes. Main thread. The previous figure is about to be destroyed.
+        /// Occurs when a figure has been built, for the first time or for other sizes. Main thread. The previous figure is about to be destroyed.
         /// </summary>
         public event Action<HumanoidFigure>? Built;
 

@@ -7,7 +7,7 @@ using Vector3 = UnityEngine.Vector3;
 namespace NeuronMocap.Unity
 {
     /// <summary>
-    /// A complete Humanoid character created at run time for an actor's body: 59 bones, a human <see cref="UnityEngine.Avatar"/>, an
+    /// A complete Humanoid character created at run time for an actor's body: 59 bones, a Humanoid <see cref="UnityEngine.Avatar"/>, an
     /// <see cref="Animator"/>, and one skinned mesh. Destroying <see cref="Root"/> destroys all of it. Use it on the main thread.
     /// </summary>
     public sealed class HumanoidFigure : IDisposable
@@ -30,7 +30,7 @@ namespace NeuronMocap.Unity
         /// <summary>Gets the body that the figure was built for.</summary>
         public SkeletonBody Body { get; }
 
-        /// <summary>Gets the human avatar. It is destroyed with the figure.</summary>
+        /// <summary>Gets the Humanoid avatar. It is destroyed with the figure.</summary>
         public Avatar Avatar { get; }
 
         /// <summary>Gets the Animator on <see cref="Root"/>. It has the avatar and no controller.</summary>
@@ -49,7 +49,7 @@ namespace NeuronMocap.Unity
         /// <param name="name">Name of the figure's object. It is changed if a bone has the same name, because Unity needs unique names.</param>
         /// <returns>The figure.</returns>
         /// <exception cref="ArgumentNullException">The body is null.</exception>
-        /// <exception cref="ArgumentException">Unity cannot create a human avatar for this body, for example because lengths are zero.</exception>
+        /// <exception cref="ArgumentException">Unity cannot create a Humanoid avatar for this body, for example because lengths are zero.</exception>
         public static HumanoidFigure Build(SkeletonBody body, FigureLook? look = null, Transform? parent = null, string name = "Figure")
         {
             if (body is null)
@@ -96,7 +96,7 @@ namespace NeuronMocap.Unity
             Avatar avatar = owned.Keep(AvatarBuilder.BuildHumanAvatar(root, FigureSkeleton.Describe(root.transform, bones, body.Variant)));
             avatar.name = root.name;
             if (!avatar.isValid || !avatar.isHuman)
-                throw new ArgumentException("Unity cannot create a human avatar for this body: its lengths are zero, or not those of a human.", nameof(body));
+                throw new ArgumentException("Unity cannot create a Humanoid avatar for this body: its lengths are zero, or not those of a human.", nameof(body));
 
             var animator = root.AddComponent<Animator>();
             animator.applyRootMotion = false;

@@ -20,7 +20,7 @@ namespace NeuronMocap.Unity
         private MocapSource? _source;
 
         [SerializeField]
-        [Tooltip("A character with an Animator and a humanoid avatar, or with its own driver. Empty: a figure of simple shapes in each performer's sizes.")]
+        [Tooltip("A character with an Animator and a Humanoid avatar, or with its own driver. Empty: a figure of simple shapes in each performer's sizes.")]
         private GameObject? _prefab;
 
         [SerializeField]
@@ -57,7 +57,7 @@ namespace NeuronMocap.Unity
         private float _despawnSeconds = 10;
 
         [SerializeField]
-        [Tooltip("Called when a figure was created.")]
+        [Tooltip("Called when a figure has been created.")]
         private UnityEvent<GameObject> _onSpawned = new UnityEvent<GameObject>();
 
         [SerializeField]
@@ -68,7 +68,7 @@ namespace NeuronMocap.Unity
         private bool _isFull;
         private GameObject? _badPrefab;
 
-        /// <summary>Occurs when a figure was created. Main thread.</summary>
+        /// <summary>Occurs when a figure has been created. Main thread.</summary>
         public event Action<SpawnedFigure>? Spawned;
 
         /// <summary>Occurs when a figure is about to be destroyed. Main thread.</summary>
@@ -85,7 +85,7 @@ namespace NeuronMocap.Unity
         }
 
         /// <summary>
-        /// Gets or sets the character to copy for each figure, with a humanoid Animator or its own driver. Null: built figures. Affects figures
+        /// Gets or sets the character to copy for each figure, with a Humanoid Animator or its own driver. Null: built figures. Affects figures
         /// created later.
         /// </summary>
         public GameObject? Prefab
@@ -255,7 +255,7 @@ namespace NeuronMocap.Unity
                 return root;
             }
 
-            Problem = $"The prefab \"{prefab.name}\" has neither a driver nor an Animator with a humanoid avatar: set the model's Animation Type to Humanoid.";
+            Problem = $"The prefab \"{prefab.name}\" has neither a driver nor an Animator with a Humanoid avatar. In the model's import settings, tab Rig, set Animation Type to Humanoid.";
             Destroy(root);
             _badPrefab = prefab;
             return null;

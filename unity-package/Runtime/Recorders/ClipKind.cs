@@ -6,7 +6,7 @@ namespace NeuronMocap.Unity
     public enum ClipKind
     {
         /// <summary>
-        /// Body position and muscles, which play on every humanoid. Muscles have limits and cannot roll fingers, so poses may differ a little.
+        /// Body position and muscles, which play on every Humanoid. Muscles have limits and cannot roll fingers, so poses may differ a little.
         /// </summary>
         Humanoid,
 

@@ -22,7 +22,7 @@ namespace NeuronMocap.Unity
         private Animator? _animator;
 
         [SerializeField]
-        [Tooltip("Humanoid clips play on every humanoid. Generic clips are exact and play on the same transforms only.")]
+        [Tooltip("Humanoid clips play on every Humanoid. Generic clips are exact and play on the same transforms only.")]
         private ClipKind _kind = ClipKind.Humanoid;
 
         [SerializeField]
@@ -224,7 +224,7 @@ namespace NeuronMocap.Unity
 
             Refuse(animator == null
                 ? "This object and its children have no Animator: set Animator."
-                : $"The Animator of \"{animator.name}\" has no human avatar: set the model's Animation Type to Humanoid, or Kind to Generic.");
+                : $"The Animator of \"{animator.name}\" has no Humanoid avatar. In the model's import settings, tab Rig, set Animation Type to Humanoid, or set Kind to Generic.");
             return null;
         }
 

@@ -22,7 +22,7 @@ namespace NeuronMocap.Unity
             _width = ValueCount + 1;
         }
 
-        /// <summary>Gets whether the take plays on any humanoid. Otherwise it plays only on a character with the same transforms.</summary>
+        /// <summary>Gets whether the take plays on any Humanoid. Otherwise it plays only on a character with the same transforms.</summary>
         public bool IsHumanoid { get; }
 
         /// <summary>Gets the requested frame rate.</summary>

@@ -82,12 +82,12 @@ namespace NeuronMocap.Unity
                 _buffers = Array.FindAll(_buffers, other => other != buffer);
         }
 
-        // told: the body from the command channel, or null. Receive thread.
-        public void Take(MotionFrame frame, SkeletonBody? told, Span<BoneTransform> pose)
+        // reported: the body from the command channel, or null. Receive thread.
+        public void Take(MotionFrame frame, SkeletonBody? reported, Span<BoneTransform> pose)
         {
             SkeletonVariant variant = frame.Format.Variant;
             if (!frame.Layout.HasDisplacement)
-                ChooseBody(variant, told);
+                ChooseBody(variant, reported);
 
             frame.CopyLocalTransforms(pose, _body);
             if (frame.Layout.HasReference)
@@ -107,7 +107,7 @@ namespace NeuronMocap.Unity
             }
 
             if (frame.Layout.HasDisplacement)
-                LearnBody(pose, variant, told);
+                LearnBody(pose, variant, reported);
 
             Interlocked.Increment(ref _frames);
             double seconds = SourceClock.ToSeconds(frame.Timestamp);
@@ -135,16 +135,16 @@ namespace NeuronMocap.Unity
             return true;
         }
 
-        private void ChooseBody(SkeletonVariant variant, SkeletonBody? told)
+        private void ChooseBody(SkeletonVariant variant, SkeletonBody? reported)
         {
-            SkeletonBody body = told != null && told.Variant == variant ? told : SkeletonBody.GetDefault(variant);
+            SkeletonBody body = reported != null && reported.Variant == variant ? reported : SkeletonBody.GetDefault(variant);
             if (!ReferenceEquals(_body, body))
                 _body = body;
         }
 
-        private void LearnBody(ReadOnlySpan<BoneTransform> pose, SkeletonVariant variant, SkeletonBody? told)
+        private void LearnBody(ReadOnlySpan<BoneTransform> pose, SkeletonVariant variant, SkeletonBody? reported)
         {
-            if (_learner.Observe(pose, variant, _hasLearnt ? _body : null, told) is not { } body)
+            if (_learner.Observe(pose, variant, _hasLearnt ? _body : null, reported) is not { } body)
                 return;
 
             _hasLearnt = true;

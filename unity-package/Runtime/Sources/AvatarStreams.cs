@@ -26,9 +26,9 @@ namespace NeuronMocap.Unity
             if (!frame.HasSkeleton || FindOrAdd(frame) is not { } stream)
                 return;
 
-            SkeletonBody? told = null;
-            Reader?.TryGetBody(frame.AvatarIndex, out told);
-            stream.Take(frame, told, _pose);
+            SkeletonBody? reported = null;
+            Reader?.TryGetBody(frame.AvatarIndex, out reported);
+            stream.Take(frame, reported, _pose);
         }
 
         // Handler of NeuronReader.CalculationReceived. An avatar without motion frames cannot be shown, even if its contacts are known.

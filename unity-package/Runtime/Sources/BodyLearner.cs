@@ -17,9 +17,9 @@ namespace NeuronMocap.Unity
         private int _steady;
 
         // The body of the pose if it differs from the known one.
-        public SkeletonBody? Observe(ReadOnlySpan<BoneTransform> pose, SkeletonVariant variant, SkeletonBody? known, SkeletonBody? told)
+        public SkeletonBody? Observe(ReadOnlySpan<BoneTransform> pose, SkeletonVariant variant, SkeletonBody? known, SkeletonBody? reported)
         {
-            ReadOnlySpan<Vector3> endSites = told != null && told.Variant == variant ? told.EndSites : default;
+            ReadOnlySpan<Vector3> endSites = reported != null && reported.Variant == variant ? reported.EndSites : default;
             if (known == null || known.Variant != variant)
                 return SkeletonBody.FromPose(pose, variant, endSites);
 

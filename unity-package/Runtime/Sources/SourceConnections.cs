@@ -10,7 +10,7 @@ namespace NeuronMocap.Unity
     // The connections of all sources, one for each set of settings. Main thread only.
     internal static partial class SourceConnections
     {
-        // How long the end of a program, or of its domain, waits for threads that were told to stop.
+        // How long the end of a program, or of its domain, waits for threads that were asked to stop.
         private static readonly TimeSpan CloseTimeout = TimeSpan.FromMilliseconds(100);
 
         private static readonly Dictionary<SourceSettings, SourceConnection> Open = new Dictionary<SourceSettings, SourceConnection>();

@@ -20,7 +20,7 @@ internal static class HelpView
     private static readonly (string Name, string Meaning)[] LiveKeys =
     [
         ("r", "start or stop a recording. It never replaces a file"),
-        ("space", "freeze or resume the figures and the skeleton; frames still arrive, and a recording goes on"),
+        ("space", "freeze or resume the figures and the skeleton; frames still arrive, and a recording continues"),
     ];
 
     private static readonly (string Name, string Meaning)[] Rest =
@@ -38,7 +38,7 @@ internal static class HelpView
         ("latency", "not shown: a frame does not say when it was sent, so the time in transit cannot be known"),
         ("feet", "L and R: the left or right foot is on the ground. ·: it is not. -: unknown"),
         ("dropped", "frames discarded because a queue of this program was full"),
-        ("skipped", "bytes that do not belong to a packet"),
+        ("skipped", "bytes outside packets"),
         ("buffer", "datagrams that the system keeps until this program reads them. 4 MiB are asked for; 'diagnose' says how to get more"),
         ("allocates", "memory that receiving takes. The drawing runs on another thread, which is not counted"),
         ("front, side", "the drawing as seen from +Z, and from -X"),

@@ -14,7 +14,7 @@ public static class BvhBoneHierarchy
     /// </param>
     /// <param name="body">The OFFSETs and End Sites; null for the default body of the format's variant.</param>
     /// <returns>The hierarchy.</returns>
-    /// <exception cref="ArgumentOutOfRangeException">The rotation order is not valid.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">The rotation order is not defined.</exception>
     public static BvhHierarchy Create(SkeletonFormat format, ChannelLayout layout, SkeletonBody? body = null)
     {
         var builder = new BvhHierarchyBuilder();

@@ -14,7 +14,7 @@ internal static class BvhChannels
         channel.IsPosition() ? channel - BvhChannel.Xposition : channel - BvhChannel.Xrotation;
 
     /// <summary>The rotation channels of an order, in the order of a row.</summary>
-    /// <exception cref="ArgumentOutOfRangeException">The order is not valid.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">The rotation order is not defined.</exception>
     public static BvhChannel[] Rotations(RotationOrder order) => order switch
     {
         RotationOrder.XZY => [BvhChannel.Xrotation, BvhChannel.Zrotation, BvhChannel.Yrotation],

@@ -176,7 +176,7 @@ public sealed class BvhDocument
     public ReadOnlySpan<float> GetValues(int index)
     {
         if ((uint)index >= (uint)FrameCount)
-            throw new ArgumentOutOfRangeException(nameof(index), index, $"There are {FrameCount} frames.");
+            throw new ArgumentOutOfRangeException(nameof(index), index, $"The index must be at least 0 and less than the number of frames, {FrameCount}.");
 
         return _values.AsSpan(index * ChannelCount, ChannelCount);
     }

@@ -21,9 +21,9 @@ public static class BvhEditing
     {
         ArgumentNullException.ThrowIfNull(document);
         if (start < 0 || start > document.FrameCount)
-            throw new ArgumentOutOfRangeException(nameof(start), start, $"There are {document.FrameCount} frames.");
+            throw new ArgumentOutOfRangeException(nameof(start), start, $"The part must begin within the {document.FrameCount} frames of the take.");
         if (count < 0 || count > document.FrameCount - start)
-            throw new ArgumentOutOfRangeException(nameof(count), count, $"There are {document.FrameCount} frames.");
+            throw new ArgumentOutOfRangeException(nameof(count), count, $"The part must end within the {document.FrameCount} frames of the take.");
 
         float[] values = new float[count * document.ChannelCount];
         for (int frame = 0; frame < count; frame++)
@@ -111,7 +111,7 @@ public static class BvhEditing
     /// <param name="document">The take.</param>
     /// <param name="order">The order of the channels, in which the rotations are applied.</param>
     /// <returns>The take in that order.</returns>
-    /// <exception cref="ArgumentOutOfRangeException">The order is not valid.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">The rotation order is not defined.</exception>
     public static BvhDocument WithRotationOrder(this BvhDocument document, RotationOrder order) => BvhRotationOrderChange.WithOrder(document, order);
 
     /// <summary>

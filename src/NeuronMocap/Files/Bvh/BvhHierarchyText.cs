@@ -18,7 +18,7 @@ public static class BvhHierarchyText
     /// <param name="format">The names of the bones and the order of the rotation channels.</param>
     /// <param name="layout">The channels: see <see cref="BvhBoneHierarchy.Create(SkeletonFormat, ChannelLayout, SkeletonBody)"/>.</param>
     /// <returns>The text from HIERARCHY to the last brace; ASCII, with CR LF at the end of each line.</returns>
-    /// <exception cref="ArgumentOutOfRangeException">The rotation order is not valid.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">The rotation order is not defined.</exception>
     public static string Create(SkeletonFormat format, ChannelLayout layout) => Create(BvhBoneHierarchy.Create(format, layout));
 
     /// <summary>Creates the text of a body.</summary>
@@ -31,7 +31,7 @@ public static class BvhHierarchyText
     /// <param name="layout">The channels; see the other overload.</param>
     /// <returns>The text from HIERARCHY to the last brace; ASCII, with CR LF at the end of each line.</returns>
     /// <exception cref="ArgumentException">There are fewer than 59 offsets, or there are End Sites but fewer than 59.</exception>
-    /// <exception cref="ArgumentOutOfRangeException">The rotation order is not valid.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">The rotation order is not defined.</exception>
     public static string Create(ReadOnlySpan<Vector3> offsets, ReadOnlySpan<Vector3> endSites, SkeletonFormat format, ChannelLayout layout) =>
         Create(BvhBoneHierarchy.Create(format, layout, new SkeletonBody(offsets, endSites, format.Variant)));
 

@@ -116,7 +116,7 @@ public sealed class BvhReader : IDisposable
     /// <summary>Reads the next row.</summary>
     /// <param name="values">Receives <see cref="BvhHierarchy.ChannelCount"/> values. At the end, the content is undefined.</param>
     /// <returns>True if a row was read; false at the end.</returns>
-    /// <exception cref="ArgumentException">The memory is too small.</exception>
+    /// <exception cref="ArgumentException">The span is too short.</exception>
     /// <exception cref="BvhFormatException">With <see cref="BvhReadOptions.Strict"/>: the text has a defect.</exception>
     /// <exception cref="IOException">The stream fails.</exception>
     /// <exception cref="InvalidOperationException">An earlier exception ended the reading.</exception>

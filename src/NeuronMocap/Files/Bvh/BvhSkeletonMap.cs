@@ -43,7 +43,7 @@ public sealed class BvhSkeletonMap
 
     /// <summary>Gets the joint of a bone.</summary>
     /// <param name="bone">The bone.</param>
-    /// <exception cref="ArgumentOutOfRangeException">The bone does not exist.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">The bone is not defined.</exception>
     public BvhJoint this[Bone bone] => (uint)bone < BoneHierarchy.BoneCount
         ? _joints[(int)bone]
         : throw new ArgumentOutOfRangeException(nameof(bone), bone, "The bone must be one of the 59 bones, 0 to 58.");
@@ -206,7 +206,7 @@ public sealed class BvhSkeletonMap
     private void CheckRow(ReadOnlySpan<float> row)
     {
         if (row.Length < Document.ChannelCount)
-            throw new ArgumentException($"A row has {Document.ChannelCount} values, not {row.Length}.", nameof(row));
+            throw new ArgumentException($"A row must have {Document.ChannelCount} values, not {row.Length}.", nameof(row));
     }
 
     private Vector3 ReadVector(ReadOnlySpan<float> row, int index) =>

@@ -161,7 +161,7 @@ public sealed class BvhWriter : IDisposable
     {
         ObjectDisposedException.ThrowIf(_isDisposed, this);
         if (values.Length != Hierarchy.ChannelCount)
-            throw new ArgumentException($"A row has {Hierarchy.ChannelCount} values, not {values.Length}.", nameof(values));
+            throw new ArgumentException($"A row must have {Hierarchy.ChannelCount} values, not {values.Length}.", nameof(values));
 
         for (int i = 0; i < values.Length; i++)
         {

@@ -43,7 +43,7 @@ internal sealed class BodyMeasurement
 
     public static BodyMeasurement Of(CalculationDocument take, CalculationAxes axes, int step)
     {
-        var body = new BodyMeasurement(TrunkMeasurement.Recognise(new SensorFrame(take.GetValues(0), axes)));
+        var body = new BodyMeasurement(TrunkMeasurement.Recognize(new SensorFrame(take.GetValues(0), axes)));
         for (int i = 0; i < take.FrameCount; i += step)
             body._trunk.Add(new SensorFrame(take.GetValues(i), axes));
 

@@ -119,7 +119,7 @@ public sealed class CalculationFileReader : IDisposable
     /// end, the content is undefined.
     /// </param>
     /// <returns>True if a row was read; false at the end.</returns>
-    /// <exception cref="ArgumentException">The memory is too small.</exception>
+    /// <exception cref="ArgumentException">The span is too short.</exception>
     /// <exception cref="CalculationFormatException">With <see cref="CalculationReadOptions.Strict"/>: the text has a defect.</exception>
     /// <exception cref="IOException">The stream fails.</exception>
     /// <exception cref="ObjectDisposedException">The reader is disposed.</exception>
@@ -127,7 +127,7 @@ public sealed class CalculationFileReader : IDisposable
     {
         ObjectDisposedException.ThrowIf(_isDisposed, this);
         if (values.Length < ValueCount)
-            throw new ArgumentException($"A row has {ValueCount} values.", nameof(values));
+            throw new ArgumentException($"There must be room for the row's {ValueCount} values.", nameof(values));
 
         while (_isFirst || _lines.TryRead())
         {

@@ -27,7 +27,7 @@ public sealed class CalculationFileWriter : IDisposable
     /// <param name="path">The path of the file. An existing file is replaced.</param>
     /// <param name="valueCount">Number of values in each row: 946 or 338.</param>
     /// <param name="format">The text layout; null for <see cref="CalculationTextFormat.AxisNeuron"/>.</param>
-    /// <exception cref="ArgumentException">The number of values is not valid.</exception>
+    /// <exception cref="ArgumentException">The number of values is wrong.</exception>
     /// <exception cref="IOException">The file cannot be written.</exception>
     /// <exception cref="UnauthorizedAccessException">The user does not have permission to write the file.</exception>
     public CalculationFileWriter(string path, int valueCount, CalculationTextFormat? format = null)
@@ -40,7 +40,7 @@ public sealed class CalculationFileWriter : IDisposable
     /// <param name="valueCount">Number of values in each row: 946 or 338.</param>
     /// <param name="format">The text layout; null for <see cref="CalculationTextFormat.AxisNeuron"/>.</param>
     /// <param name="leaveOpen">Whether the stream stays open when the writer is disposed.</param>
-    /// <exception cref="ArgumentException">The number of values is not valid.</exception>
+    /// <exception cref="ArgumentException">The number of values is wrong.</exception>
     /// <exception cref="IOException">The stream fails.</exception>
     public CalculationFileWriter(Stream stream, int valueCount, CalculationTextFormat? format = null, bool leaveOpen = false)
     {
@@ -72,7 +72,7 @@ public sealed class CalculationFileWriter : IDisposable
     public void WriteFrame(ReadOnlySpan<float> values)
     {
         if (values.Length != ValueCount)
-            throw new ArgumentException($"A row has {ValueCount} values.", nameof(values));
+            throw new ArgumentException($"A row must have {ValueCount} values, not {values.Length}.", nameof(values));
         ObjectDisposedException.ThrowIf(_isDisposed, this);
 
         if (_isEndOpen)

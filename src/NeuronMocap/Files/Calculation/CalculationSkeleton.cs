@@ -78,7 +78,7 @@ public sealed class CalculationSkeleton
     /// <summary>Computes the pose of a frame without allocating memory.</summary>
     /// <param name="values">946 or 338 values of the take. Values of another take are valid if the actor kept the sensors on in between.</param>
     /// <param name="pose">Receives 59 transforms relative to the parent, in <see cref="Bone"/> order, in the axes of BVH; centimetres.</param>
-    /// <exception cref="ArgumentException">The number of values is wrong, or the memory is too small.</exception>
+    /// <exception cref="ArgumentException">The number of values is wrong, or the destination is too short.</exception>
     public void CopyLocalTransforms(ReadOnlySpan<float> values, Span<BoneTransform> pose)
     {
         if (values.Length is not (CalculationFrame.FullValueCount or CalculationFrame.BodyValueCount))

@@ -52,7 +52,7 @@ internal sealed class TrunkMeasurement(SkeletonVariant variant)
     /// The distances are those from the hips to the spine's centre, and from there to the next centre. In the default body, they are 18.0 and 9.3
     /// cm with Spine3, and 15.0 and 13.5 cm with Neck1. The actors of the recordings have 19.1 and 9.9 cm.
     /// </remarks>
-    public static SkeletonVariant Recognise(in SensorFrame frame)
+    public static SkeletonVariant Recognize(in SensorFrame frame)
     {
         Vector3 spine = frame.GetCentre(Bone.Spine);
         float first = (spine - frame.GetCentre(Bone.Hips)).Length();

@@ -129,7 +129,7 @@ internal sealed class PlaybackRun(PlaybackFile file, PlaybackControl control, Pl
         if (recorded.Kind == RecordedEventKind.End)
         {
             feed.Parser.Close(recorded.Time);
-            return EndPass() ?? new LinkEnd(ConnectionReason.EndOfRecording, $"The {file.Target} begins again.");
+            return EndPass() ?? new LinkEnd(ConnectionReason.EndOfRecording, $"The {file.Target} starts again.");
         }
 
         // The event belongs to another connection, which the next link plays. The end of this connection was not recorded.
@@ -170,7 +170,7 @@ internal sealed class PlaybackRun(PlaybackFile file, PlaybackControl control, Pl
     private LinkEnd Complete()
     {
         completed();
-        return new LinkEnd(ConnectionReason.EndOfRecording, $"The {file.Target} is over.") { IsFinal = true };
+        return new LinkEnd(ConnectionReason.EndOfRecording, $"The {file.Target} has ended.") { IsFinal = true };
     }
 
     // A position may be far from where reading can begin. Closing the link or disposing the player must not wait for the search.

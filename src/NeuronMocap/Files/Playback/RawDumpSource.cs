@@ -88,7 +88,7 @@ internal sealed class RawDumpSource : RecordedEventSource
         {
             int count = _file.Read(_buffer, filled, length - filled);
             if (count == 0)
-                throw new EndOfStreamException($"{FilePath} has become shorter since it was opened.");
+                throw new EndOfStreamException($"'{FilePath}' has become shorter since it was opened.");
 
             filled += count;
         }
@@ -100,13 +100,13 @@ internal sealed class RawDumpSource : RecordedEventSource
         file.Position = 0;
         ReadOnlySpan<byte> bytes = start.AsSpan(0, file.Read(start, 0, start.Length));
         if (bytes.IsEmpty)
-            return new PlaybackException($"{path} is empty.");
+            return new PlaybackException($"'{path}' is empty.");
         if (bytes.IndexOf("HIERARCHY"u8) >= 0)
-            return new PlaybackException($"{path} is a BVH file, not a recording of a stream.");
+            return new PlaybackException($"'{path}' is a BVH file, not a recording of a stream.");
 
         var guess = FormatGuess.Of(bytes, skipped);
         return new PlaybackException(guess.Format is ForeignFormat.Unknown or ForeignFormat.OtherProgram
-            ? $"{path} is neither a recording nor a dump of a stream: it does not contain a frame, and starts with {FormatGuess.ToHex(bytes)}."
-            : $"{path} does not contain a frame: it is {guess.Description}");
+            ? $"'{path}' is neither a recording nor a dump of a stream: it does not contain a frame, and starts with {FormatGuess.ToHex(bytes)}."
+            : $"'{path}' does not contain a frame: it is {guess.Description}");
     }
 }

@@ -171,7 +171,7 @@ internal sealed class RecordingFiles : IDisposable
             bool isLike = name.Length > start.Length + end.Length
                 && name.StartsWith(start, StringComparison.OrdinalIgnoreCase) && name.EndsWith(end, StringComparison.OrdinalIgnoreCase);
             if (isLike && int.TryParse(name.AsSpan(start.Length, name.Length - start.Length - end.Length), NumberStyles.None, CultureInfo.InvariantCulture, out _))
-                throw new IOException($"The file '{file}' already exists, and this recording would reach its name.", FileExists);
+                throw new IOException($"'{file}' already exists, and this recording would reach its name.", FileExists);
         }
     }
 

@@ -61,7 +61,7 @@ public sealed class RecordingOptions
         if (QueueSize is < SmallestQueue or > LargestQueue)
             return $"QueueSize is {QueueSize}; it must be 1,048,576 to 1,073,741,824.";
         if (FlushInterval < TimeSpan.FromSeconds(0.01) || FlushInterval > TimeSpan.FromMinutes(1))
-            return $"FlushInterval is {FlushInterval}; it must be 0.01 s to one minute.";
+            return $"FlushInterval is {FlushInterval}; it must be 0.01 s to 1 minute.";
         if (MaxFileSize < SmallestFile)
             return $"MaxFileSize is {MaxFileSize}; it must be 1,048,576 or more, or null.";
         if (MaxFileDuration < ShortestFile || MaxFileDuration > LongestFile)

@@ -79,7 +79,7 @@ public class PlaybackFixtureTests
         ConnectionState[] states = [.. statuses.All.Select(static status => status.State).Distinct()];
         Assert.Equal([ConnectionState.Connecting, ConnectionState.Connected, ConnectionState.Receiving, ConnectionState.Stopped], states);
         Assert.Subset(states.ToHashSet(), liveStatuses.All.Select(static status => status.State).ToHashSet());
-        Assert.Equal((ConnectionReason.EndOfRecording, $"The recording {player.FileName} is over."), (reader.Status.Reason, reader.Status.Message));
+        Assert.Equal((ConnectionReason.EndOfRecording, $"The recording {player.FileName} has ended."), (reader.Status.Reason, reader.Status.Message));
         Assert.Equal(
             liveStatuses.All.Last(static status => status.State == ConnectionState.Receiving).Format,
             statuses.All.Last(static status => status.State == ConnectionState.Receiving).Format);

@@ -64,11 +64,11 @@ public sealed class BvhExportOptions
     {
         options ??= new BvhExportOptions();
         if (options.HeaderTimeout < TimeSpan.Zero || options.HeaderTimeout > TimeSpan.FromMinutes(5))
-            throw new ArgumentOutOfRangeException(nameof(options), options.HeaderTimeout, "HeaderTimeout must be 0 to 5 minutes.");
+            throw new ArgumentOutOfRangeException(nameof(options), options.HeaderTimeout, $"HeaderTimeout is {options.HeaderTimeout}; it must be 0 to 5 minutes.");
         if (options.Capacity is < 1 or > 1 << 20)
-            throw new ArgumentOutOfRangeException(nameof(options), options.Capacity, "Capacity must be 1 to 1,048,576 frames.");
+            throw new ArgumentOutOfRangeException(nameof(options), options.Capacity, $"Capacity is {options.Capacity}; it must be 1 to 1,048,576.");
         if (options.FrameTime == default(BvhFrameTime))
-            throw new ArgumentException("FrameTime must be more than 0, or null.", nameof(options));
+            throw new ArgumentException("FrameTime is 0; it must be more than 0, or null.", nameof(options));
 
         return (BvhExportOptions)options.MemberwiseClone();
     }
