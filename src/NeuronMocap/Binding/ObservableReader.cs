@@ -107,7 +107,8 @@ public sealed class ObservableReader : ObservableObject, IContextWork, IDisposab
     public ReadOnlyObservableCollection<ObservableAvatar> Avatars { get; }
 
     /// <summary>
-    /// Ends the updates; the reader continues. Any thread, any number of times. After a call on the context's thread, nothing changes any more.
+    /// Ends the updates; the reader continues. Any thread, any number of times. After a call on the context's thread, nothing changes any more, except that
+    /// an update that is running finishes.
     /// </summary>
     public void Dispose()
     {
@@ -203,16 +204,19 @@ public sealed class ObservableReader : ObservableObject, IContextWork, IDisposab
         for (int i = _avatars.Count - 1; i >= 0; i--)
         {
             ObservableAvatar avatar = _avatars[i];
-            if (_totals.Remove((avatar.Sender, avatar.AvatarIndex), out AvatarTotals totals))
+            (int Sender, int AvatarIndex) key = (avatar.Sender, avatar.AvatarIndex);
+            if (_totals.TryGetValue(key, out AvatarTotals totals))
                 avatar.Update(totals);
             else
                 _avatars.RemoveAt(i);
+
+            _totals.Remove(key);
         }
 
-        foreach (((int sender, int avatarIndex), AvatarTotals totals) in _totals)
+        foreach (KeyValuePair<(int Sender, int AvatarIndex), AvatarTotals> entry in _totals)
         {
-            var avatar = new ObservableAvatar(sender, avatarIndex);
-            avatar.Update(totals);
+            var avatar = new ObservableAvatar(entry.Key.Sender, entry.Key.AvatarIndex);
+            avatar.Update(entry.Value);
             _avatars.Add(avatar);
         }
     }

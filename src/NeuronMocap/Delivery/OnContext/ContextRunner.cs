@@ -23,12 +23,18 @@ internal sealed class ContextRunner : IDisposable
 
     private static readonly long MaxBusy = Stopwatch.Frequency * 4 / 1000;
     private static readonly long ShortestPause = Stopwatch.Frequency / 1000;
+    private static readonly long LongestPause = Stopwatch.Frequency * 8 / 1000;
+
+    // How long a post may wait after the thread has ended. The application may have moved its window to another thread.
+    private static readonly long Grace = Stopwatch.Frequency * 2;
 
     private readonly ContextPoster _poster;
     private readonly DeliveryClock _clock;
     private readonly IContextWork _work;
     private int _state;
     private int _requests;
+    private int _posts;
+    private int _doubtedPost;
     private long _due;
     private long _busy;
 
@@ -37,7 +43,7 @@ internal sealed class ContextRunner : IDisposable
         _poster = ContextPoster.Create(context, post, Run);
         _work = work;
         _clock = clock;
-        _clock.Elapsed = () => PostFrom(Waiting);
+        _clock.Elapsed = OnElapsed;
     }
 
     public bool HasThreadEnded => _poster.HasThreadEnded;
@@ -49,8 +55,8 @@ internal sealed class ContextRunner : IDisposable
         if (state == Idle)
             Post();
         else if (state == Waiting && (isUrgent || _clock.Now >= Volatile.Read(ref _due)))
-            PostFrom(Waiting);
-        else if (state == Posted && (isUrgent || (++_requests & CheckMask) == 0))
+            TryPostFromWaiting();
+        else if (state == Posted && (++_requests & CheckMask) == 0)
             CheckThread();
     }
 
@@ -61,27 +67,48 @@ internal sealed class ContextRunner : IDisposable
         _clock.Dispose();
     }
 
-    private void PostFrom(int state)
+    private bool TryPostFromWaiting()
     {
-        if (Interlocked.CompareExchange(ref _state, Posted, state) == state)
-            Post();
+        if (Interlocked.CompareExchange(ref _state, Posted, Waiting) != Waiting)
+            return false;
+
+        Post();
+        return true;
     }
 
     private void Post()
     {
+        Volatile.Write(ref _posts, _posts + 1);
         if (_poster.Post() is { } end)
             _work.OnLost(end);
+        else
+            CheckThread();
     }
 
-    // A loop that has ended can ignore posts without an error. Without a run, its dead thread is the only sign.
+    // A loop that has ended can ignore posts without an error. Its dead thread is the only sign, and the timer confirms it.
     private void CheckThread()
     {
+        int post = Volatile.Read(ref _posts);
+        if (!_poster.HasThreadEnded || Interlocked.Exchange(ref _doubtedPost, post) == post)
+            return;
+
+        _clock.Set(Grace);
+    }
+
+    private void OnElapsed()
+    {
+        if (TryPostFromWaiting() || Volatile.Read(ref _state) != Posted || Volatile.Read(ref _doubtedPost) != Volatile.Read(ref _posts))
+            return;
+
         if (_poster.HasThreadEnded)
             _work.OnLost(new FrameDeliveryEnd(FrameDeliveryEndReason.ContextGone, "The window is gone: its thread has ended."));
     }
 
     private void Run()
     {
+        if (Volatile.Read(ref _state) == Closed)
+            return;
+
         long start = _clock.Now;
         bool hasFailed = true;
         try
@@ -109,7 +136,7 @@ internal sealed class ContextRunner : IDisposable
         long now = _clock.Now;
         if (hasFailed || _busy >= MaxBusy)
         {
-            due = Math.Max(due, now + Math.Max(ShortestPause, _busy / 4));
+            due = Math.Max(due, now + Math.Min(Math.Max(_busy / 4, ShortestPause), LongestPause));
             _busy = 0;
         }
 

@@ -169,7 +169,11 @@ public sealed class FrameDelivery : IPacketConsumer, IContextWork, IDisposable
     void IContextWork.Work(long limit)
     {
         while (_end is null && HasStatus && _statuses.TryTake(out ConnectionStatus status))
+        {
             InvokeAll(_statusHandlers, status);
+            if (_clock.Now >= limit)
+                return;
+        }
 
         long now = _clock.Now;
         while (_end is null && _source.TryDeliver(this, now))

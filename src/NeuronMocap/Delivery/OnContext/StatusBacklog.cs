@@ -31,9 +31,12 @@ internal sealed class StatusBacklog
 
         lock (_lock)
         {
-            bool isTaken = _waiting.TryDequeue(out status);
+            if (_waiting.Count == 0)
+                return false;
+
+            status = _waiting.Dequeue();
             _count = _waiting.Count;
-            return isTaken;
+            return true;
         }
     }
 }
