@@ -3,7 +3,7 @@ using System.ComponentModel;
 namespace NeuronMocap;
 
 /// <summary>An avatar of an <see cref="ObservableReader"/>. Its properties change on the window's thread.</summary>
-public sealed class ObservableAvatar : ObservableObject
+public sealed class ObservableAvatar : INotifyPropertyChanged
 {
     private static readonly PropertyChangedEventArgs NameChanged = new(nameof(Name));
     private static readonly PropertyChangedEventArgs FrameRateChanged = new(nameof(FrameRate));
@@ -22,6 +22,9 @@ public sealed class ObservableAvatar : ObservableObject
         Sender = sender;
         AvatarIndex = avatarIndex;
     }
+
+    /// <summary>Occurs on the context after a property has changed.</summary>
+    public event PropertyChangedEventHandler? PropertyChanged;
 
     /// <summary>Number of the sender: see <see cref="AvatarFrame.Sender"/>.</summary>
     public int Sender { get; }
@@ -51,5 +54,11 @@ public sealed class ObservableAvatar : ObservableObject
         Set(ref _calculationRate, Math.Round(totals.CalculationRate, 1), CalculationRateChanged);
         Set(ref _frames, totals.Frames, FramesChanged);
         Set(ref _lost, totals.Lost, LostChanged);
+    }
+
+    private void Set<T>(ref T field, T value, PropertyChangedEventArgs changed)
+    {
+        if (PropertyChange.TrySet(ref field, value))
+            PropertyChanged?.Invoke(this, changed);
     }
 }

@@ -16,7 +16,7 @@ namespace NeuronMocap;
 /// disposed.
 /// </para>
 /// </remarks>
-public sealed class ObservableReader : ObservableObject, IContextWork, IDisposable
+public sealed class ObservableReader : INotifyPropertyChanged, IContextWork, IDisposable
 {
     private static readonly PropertyChangedEventArgs StateChanged = new(nameof(State));
     private static readonly PropertyChangedEventArgs ReasonChanged = new(nameof(Reason));
@@ -78,6 +78,9 @@ public sealed class ObservableReader : ObservableObject, IContextWork, IDisposab
         if (reader.Status.State != ConnectionState.Created)
             OnStatus(reader.Status);
     }
+
+    /// <summary>Occurs on the context after a property has changed.</summary>
+    public event PropertyChangedEventHandler? PropertyChanged;
 
     /// <summary>State of the connection.</summary>
     public ConnectionState State => _state;
@@ -219,5 +222,11 @@ public sealed class ObservableReader : ObservableObject, IContextWork, IDisposab
             avatar.Update(entry.Value);
             _avatars.Add(avatar);
         }
+    }
+
+    private void Set<T>(ref T field, T value, PropertyChangedEventArgs changed)
+    {
+        if (PropertyChange.TrySet(ref field, value))
+            PropertyChanged?.Invoke(this, changed);
     }
 }
