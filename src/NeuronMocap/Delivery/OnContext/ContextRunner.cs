@@ -125,7 +125,9 @@ internal sealed class ContextRunner : IDisposable
 
     private void Continue(bool hasFailed)
     {
-        if (!_work.TryGetDue(out long due))
+        bool hasWork = _work.TryGetDue(out long due);
+        long now = _clock.Now;
+        if (!hasWork && due <= now)
         {
             _busy = 0;
             if (Interlocked.CompareExchange(ref _state, Idle, Posted) == Posted && _work.TryGetDue(out _))
@@ -133,12 +135,8 @@ internal sealed class ContextRunner : IDisposable
             return;
         }
 
-        long now = _clock.Now;
         if (hasFailed || _busy >= MaxBusy)
-        {
             due = Math.Max(due, now + Math.Min(Math.Max(_busy / 4, ShortestPause), LongestPause));
-            _busy = 0;
-        }
 
         if (due > now)
             Wait(due, now);
@@ -149,6 +147,7 @@ internal sealed class ContextRunner : IDisposable
     // The state comes first: a timer that elapsed before it would find nothing to do.
     private void Wait(long due, long now)
     {
+        _busy = 0;
         Volatile.Write(ref _due, due);
         if (Interlocked.CompareExchange(ref _state, Waiting, Posted) == Posted)
             _clock.Set(due - now);

@@ -19,6 +19,6 @@ internal interface IDeliverySource : IDisposable
     // Context. Hands one frame to the delivery; returns false if none is due.
     bool TryDeliver(FrameDelivery delivery, long now);
 
-    // Context. Returns false if no frame waits. Otherwise, the time from which it may be delivered; 0 for now.
+    // Context. Returns false if no frame waits. due: the time from which a frame may be delivered; 0 for now.
     bool TryGetDue(out long due);
 }

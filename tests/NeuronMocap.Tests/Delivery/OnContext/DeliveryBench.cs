@@ -1,4 +1,3 @@
-using NeuronMocap.Delivery;
 using NeuronMocap.Protocol;
 using NeuronMocap.Reader;
 using NeuronMocap.Skeleton;
@@ -35,6 +34,16 @@ internal sealed class DeliveryBench
     public IEnumerable<uint?> Indices => Seen.Select(static frame => frame.Index);
 
     public int Closed { get; private set; }
+
+    /// <summary>The end that is reported to those who wait for it.</summary>
+    public FrameDeliveryEnd End
+    {
+        get
+        {
+            Assert.True(Delivery.Completion.IsCompletedSuccessfully);
+            return Delivery.End!;
+        }
+    }
 
     public ReaderStatistics Statistics => _pipeline.GetStatistics();
 

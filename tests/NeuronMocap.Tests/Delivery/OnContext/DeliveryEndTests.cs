@@ -77,7 +77,7 @@ public sealed class DeliveryEndTests
         bench.Report(ConnectionState.Stopped);
         bench.Context.RunAll();
         Assert.Equal((1, 0), (bench.Seen.Count, later));
-        Assert.Equal((FrameDeliveryEndReason.Disposed, 1), (bench.Delivery.Completion.Result.Reason, bench.Closed));
+        Assert.Equal((FrameDeliveryEndReason.Disposed, 1), (bench.End.Reason, bench.Closed));
     }
 
     [Fact]
@@ -129,7 +129,7 @@ public sealed class DeliveryEndTests
         bench.Context.RunAll();
         bench.Context.Posting = static () => throw new ObjectDisposedException("Form1");
         bench.PushMany(1, 3);
-        FrameDeliveryEnd end = bench.Delivery.Completion.Result;
+        FrameDeliveryEnd end = bench.End;
         Assert.Equal(FrameDeliveryEndReason.ContextGone, end.Reason);
         Assert.IsType<ObjectDisposedException>(end.Exception);
         Assert.Contains("ObjectDisposedException", end.Message, StringComparison.Ordinal);

@@ -1,4 +1,3 @@
-using NeuronMocap.Protocol;
 using NeuronMocap.Tests.Network;
 
 namespace NeuronMocap.Tests.Delivery;
@@ -68,6 +67,27 @@ public sealed class DeliveryPaceTests
     }
 
     [Fact]
+    public void A_wait_for_the_rate_counts_as_a_pause()
+    {
+        var bench = new DeliveryBench(new FrameDeliveryOptions { Mode = FrameDeliveryMode.Newest, MaxRate = 50 });
+        bench.Delivery.MotionReceived += _ => bench.Clock.Advance(1);
+        for (int i = 0; i < 100; i++)
+        {
+            bench.Push(i, avatar: 0);
+            bench.Push(i, avatar: 1);
+            bench.Context.RunAll();
+            bench.Push(i, avatar: 0);
+            bench.Push(i, avatar: 1);
+            bench.Clock.Advance(20);
+            bench.Context.RunAll();
+        }
+
+        // Two avatars take 2 ms, so each pass needs only one run.
+        Assert.InRange(bench.Seen.Count, 200, 400);
+        Assert.InRange(bench.Context.Posts, bench.Seen.Count / 2, (bench.Seen.Count / 2) + 2);
+    }
+
+    [Fact]
     public void A_stream_that_stops_ends_with_its_newest_frame()
     {
         var bench = new DeliveryBench(new FrameDeliveryOptions { Mode = FrameDeliveryMode.Newest, MaxRate = 10 });
@@ -105,6 +125,8 @@ public sealed class DeliveryPaceTests
     {
         var bench = new DeliveryBench(new FrameDeliveryOptions { Mode = FrameDeliveryMode.Newest, MaxRate = 10 });
         bench.Push(0);
+        bench.Context.RunAll();
+        bench.Clock.Advance(100);
         bench.Context.RunAll();
         int posts = bench.Context.Posts;
         for (int i = 0; i < 100; i++)

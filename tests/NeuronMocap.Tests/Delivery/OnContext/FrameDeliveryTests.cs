@@ -160,7 +160,7 @@ public sealed class FrameDeliveryTests
         }
 
         Assert.Equal(["0", "1", "2", "Stopped"], seen);
-        Assert.Equal(FrameDeliveryEndReason.ReaderStopped, bench.Delivery.Completion.Result.Reason);
+        Assert.Equal(FrameDeliveryEndReason.ReaderStopped, bench.End.Reason);
         Assert.Equal((1, true), (bench.Closed, bench.Clock.IsDisposed));
     }
 
