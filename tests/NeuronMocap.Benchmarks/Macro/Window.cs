@@ -17,29 +17,35 @@ internal static class Window
     public static async Task<int> RunAsync(double seconds, int runs, Report report)
     {
         report.Begin($"{Performers} performers at {Rate} Hz on one window, {seconds} s a run, {runs} runs; the floor is the window without frames.");
-        Aim[] aims = [new(Wait, 16), new(Cost, 2, Way: "empty handler"), new(Cost, 2, Way: "one thread, hot")];
-        Way idle = new("no frames", () => RunAsync(seconds, handler: null));
+        Aim[] aims = [new(Wait, 16), new(Cost, 2, Way: "empty handler"), new(Cost, 2, Way: "empty handler, ten readers"), new(Cost, 2, Way: "one thread, hot")];
+        Way idle = new("no frames", () => RunIdleAsync(seconds));
         Way[] ways =
         [
-            new("empty handler", () => RunAsync(seconds, TimeSpan.Zero)),
-            new("handler of 0.3 ms", () => RunAsync(seconds, TimeSpan.FromMilliseconds(0.3))),
-            new("handler of 2 ms", () => RunAsync(seconds, TimeSpan.FromMilliseconds(2))),
+            new("empty handler", () => RunAsync(seconds, readerCount: 1, TimeSpan.Zero)),
+            new("empty handler, ten readers", () => RunAsync(seconds, Performers, TimeSpan.Zero)),
+            new("handler of 0.3 ms", () => RunAsync(seconds, readerCount: 1, TimeSpan.FromMilliseconds(0.3))),
+            new("handler of 2 ms", () => RunAsync(seconds, readerCount: 1, TimeSpan.FromMilliseconds(2))),
             new("one thread, hot", RunHot),
         ];
         report.Add(await Alternation.RunAsync("window", runs, idle, ways, aims));
         return report.End();
     }
 
-    private static async Task<Figures> RunAsync(double seconds, TimeSpan? handler)
+    private static async Task<Figures> RunIdleAsync(double seconds)
     {
         using var window = new WindowLoop();
-        if (handler is not { } duration)
-            return new Figures { [Wait] = Percentile(await ProbeAsync(window, Task.Delay(TimeSpan.FromSeconds(seconds)))) };
+        return new Figures { [Wait] = Percentile(await ProbeAsync(window, Task.Delay(TimeSpan.FromSeconds(seconds)))) };
+    }
 
-        using Peer sender = await Peer.StartAsync("pace", "--connections", $"{Performers}", "--rate", Peer.Text(Rate), "--seconds", Peer.Text(seconds));
-        var readers = new NeuronReader[Performers];
-        var deliveries = new FrameDelivery[Performers];
-        for (int i = 0; i < Performers; i++)
+    // All frames come from one server, or those of each performer from a server of its own.
+    private static async Task<Figures> RunAsync(double seconds, int readerCount, TimeSpan duration)
+    {
+        using var window = new WindowLoop();
+        double rate = Rate * Performers / readerCount;
+        using Peer sender = await Peer.StartAsync("pace", "--connections", $"{readerCount}", "--rate", Peer.Text(rate), "--seconds", Peer.Text(seconds));
+        var readers = new NeuronReader[readerCount];
+        var deliveries = new FrameDelivery[readerCount];
+        for (int i = 0; i < readerCount; i++)
         {
             readers[i] = new NeuronReader(new NeuronReaderOptions { Port = sender.Port, Reconnect = { Enabled = false } });
             deliveries[i] = readers[i].OpenDelivery(new FrameDeliveryOptions { Context = window });
