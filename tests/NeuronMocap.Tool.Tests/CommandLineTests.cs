@@ -218,7 +218,7 @@ public sealed partial class CommandLineTests
     [InlineData("diagnose", "--json", "--quiet", "--duration", "--allow-sender", "--local-address", "--command-port", "--calculation-port", "--order")]
     [InlineData("play", "--speed", "--rate", "--loop", "--json", "--quiet", "--frames", "--duration", "--order", "--export", "--overwrite")]
     [InlineData("info", "--json", "--rate", "--avatar", "--order")]
-    [InlineData("convert", "--from", "--to", "--resample", "--order", "--input-order", "--avatar", "--rate", "--overwrite")]
+    [InlineData("convert", "--from", "--to", "--resample", "--order", "--output-order", "--avatar", "--rate", "--overwrite")]
     [InlineData("plot", "--from", "--to", "--order", "--avatar", "--rate", "--overwrite")]
     [InlineData("command", "--avatar", "--json")]
     [InlineData("simulate", "--port", "--bvh", "--calc", "--play", "--speed", "--udp", "--calculation-port", "--commands", "--bind")]

@@ -67,6 +67,10 @@ internal static class CommonOptions
         return option;
     }
 
+    /// <summary>The rotation order of a stream in a file.</summary>
+    public static Option<RotationOrder?> StreamOrder() => Order(
+        "--order", "For a recording or the bytes of a stream: its rotation order, if the file does not state it. Default: YXZ.");
+
     /// <summary>The frame rate of a file without times.</summary>
     public static Option<double?> Rate() => new("--rate")
     {

@@ -17,7 +17,7 @@ internal static class UsageFault
         if (command is not Verb)
             return FindWithoutVerb(result, leftOver);
 
-        string help = $"{CommandLine.Name} {command.Name}";
+        string help = $"{ToolCommand.Name} {command.Name}";
         if (leftOver.FirstOrDefault(IsOption) is { } unknown)
             return WithHelp(help, DescribeUnknown(unknown, command));
         if (FindSwallowed(result.CommandResult) is { } swallowed)
@@ -42,7 +42,7 @@ internal static class UsageFault
             [var word, ..] => $"unknown verb '{word}'{SuggestCommand(word, verbs)}",
             _ => result.Errors.Count > 0 ? result.Errors[0].Message : null,
         };
-        return fault is null ? null : $"{TerminalText.Clean(fault)} {CommandLine.Name} --help lists the verbs.";
+        return fault is null ? null : $"{TerminalText.Clean(fault)} {ToolCommand.Name} --help lists the verbs.";
     }
 
     // Suggests a verb if the option is the name of a verb with dashes, or an option of a verb.
@@ -51,10 +51,10 @@ internal static class UsageFault
         string name = NameOf(option);
         Verb? meant = Array.Find(verbs, verb => verb.Name.Equals(name, StringComparison.Ordinal));
         if (meant is not null)
-            return $": did you mean {CommandLine.Name} {meant.Name}?";
+            return $": did you mean {ToolCommand.Name} {meant.Name}?";
 
         Verb? owner = Array.Find(verbs, verb => verb.Options.Any(other => NameOf(other.Name).Equals(name, StringComparison.Ordinal)));
-        return owner is null ? "." : $": did you mean {CommandLine.Name} {owner.Name} --{name}?";
+        return owner is null ? "." : $": did you mean {ToolCommand.Name} {owner.Name} --{name}?";
     }
 
     private static string SuggestCommand(string word, Verb[] verbs)
@@ -65,7 +65,7 @@ internal static class UsageFault
             return $": did you mean {verb}?";
 
         bool isSource = word.AsSpan().ContainsAny('.', ':', '/') || File.Exists(word) || word.Equals(Source.Demo.ToString(), StringComparison.OrdinalIgnoreCase);
-        return isSource ? $": did you mean {CommandLine.Name} watch {word}?" : ".";
+        return isSource ? $": did you mean {ToolCommand.Name} watch {word}?" : ".";
     }
 
     private static IEnumerable<string> TokensOf(CommandResult command) =>
@@ -106,7 +106,7 @@ internal static class UsageFault
     {
         string[] names = [.. command.Options.Select(static option => option.Name)];
         if (names.Contains(unknown, StringComparer.Ordinal))
-            return $"{unknown} is before the verb: write {CommandLine.Name} {command.Name} {unknown}.";
+            return $"{unknown} is before the verb: write {ToolCommand.Name} {command.Name} {unknown}.";
 
         string? meant = Spelling.FindNearest(NameOf(unknown), names.Select(NameOf));
         return $"unknown option {unknown}{(meant is null ? "." : $": did you mean --{meant}?")}";

@@ -56,9 +56,9 @@ internal sealed class CommandVerb : Verb
 
     public override IReadOnlyList<(int Code, string Meaning)> ExitCodes { get; } =
     [
-        (CommandLine.Done, "answered"),
-        (CommandLine.NothingReceived, "not answered; standard error says why"),
-        (CommandLine.Interrupted, "ended by Ctrl+C or SIGTERM before the answer"),
+        (ToolCommand.Done, "answered"),
+        (ToolCommand.NothingReceived, "not answered; standard error says why"),
+        (ToolCommand.Interrupted, "ended by Ctrl+C or SIGTERM before the answer"),
     ];
 
     public override Task<int> RunAsync(ParseResult result, StandardStreams streams, CancellationToken cancellationToken) => new CommandRun(

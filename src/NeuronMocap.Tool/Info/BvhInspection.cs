@@ -4,7 +4,7 @@ using NeuronMocap.Bvh;
 using NeuronMocap.Server;
 using NeuronMocap.Skeleton;
 using NeuronMocap.Tool.Files;
-using NeuronMocap.Tool.Plot;
+using NeuronMocap.Tool.Figures;
 using NeuronMocap.Tool.Terminal;
 
 namespace NeuronMocap.Tool.Info;

@@ -1,10 +1,10 @@
 using System.CommandLine;
 using System.CommandLine.Parsing;
 using NeuronMocap.Tool.Arguments;
-using NeuronMocap.Tool.Files;
 using NeuronMocap.Tool.Terminal;
 using NeuronMocap.Tool.Watch;
 using NeuronMocap.Tool.Watch.Export;
+using NeuronMocap.Tool.Watch.Playback;
 
 namespace NeuronMocap.Tool.Play;
 
@@ -49,13 +49,12 @@ internal sealed class PlayVerb : Verb
 
     public override async Task<int> RunAsync(ParseResult result, StandardStreams streams, CancellationToken cancellationToken)
     {
-        WatchOptions options = _output.Read(result) with
+        WatchOptions options = _output.Read(result, new ConnectionOptions { RotationOrder = result.GetValue(_order) }) with
         {
             Play = _playback.Read(result, result.GetValue(_file)!),
-            RotationOrder = result.GetValue(_order),
             Export = _export.Read(result, result.GetValue(_overwrite)),
         };
-        return options.FindFault() is { } fault
+        return options.Connection.FindFault() is { } fault
             ? await RefuseAsync(streams, fault)
             : await new WatchRun(options, streams).RunAsync(cancellationToken);
     }

@@ -39,9 +39,16 @@ internal sealed record StandardStreams(Stream Output, TextWriter Error, bool IsT
     /// <inheritdoc cref="Complain"/>
     public Task ComplainAsync(string message) => Error.WriteLineAsync(LineOf(message));
 
+    /// <summary>Whether the output could not be written because its reader closed it.</summary>
+    public static bool IsBrokenPipe(IOException exception)
+    {
+        const int BrokenPipe = 32;
+        return exception.HResult == BrokenPipe;
+    }
+
     public void Dispose() => Output.Dispose();
 
-    private static string LineOf(string message) => $"{CommandLine.Name}: {TerminalText.Clean(message)}";
+    private static string LineOf(string message) => $"{ToolCommand.Name}: {TerminalText.Clean(message)}";
 
     // The console's own stream silently ignores a broken pipe, so `neuron-mocap watch --json | head -1` would never end. A FileStream throws. A
     // regular file cannot break, and a FileStream would not move the position that the shell shares with the next program.

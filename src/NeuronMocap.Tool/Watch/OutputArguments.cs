@@ -1,6 +1,7 @@
 using System.CommandLine;
 using System.CommandLine.Parsing;
 using NeuronMocap.Tool.Arguments;
+using NeuronMocap.Tool.Output;
 
 namespace NeuronMocap.Tool.Watch;
 
@@ -19,11 +20,13 @@ internal sealed class OutputArguments
 
     public void RejectContradictions(CommandResult result) => Verb.RejectBoth(result, _json, _quiet);
 
-    /// <summary>Creates watch options with only these settings.</summary>
-    public WatchOptions Read(ParseResult result) => new()
+    /// <summary>Creates the options of a run.</summary>
+    /// <param name="result">A command line without errors.</param>
+    /// <param name="connection">The connection, without its duration.</param>
+    public WatchOptions Read(ParseResult result, ConnectionOptions connection) => new()
     {
+        Connection = connection with { Duration = result.GetValue(_duration) },
         Frames = result.GetValue(_frames),
-        Duration = result.GetValue(_duration),
         Output = result.GetValue(_json) ? OutputKind.Json : result.GetValue(_quiet) ? OutputKind.Quiet : OutputKind.Person,
     };
 }

@@ -1,10 +1,9 @@
 using System.CommandLine;
 using System.CommandLine.Parsing;
 using NeuronMocap.Tool.Arguments;
-using NeuronMocap.Tool.Files;
-using NeuronMocap.Tool.Play;
 using NeuronMocap.Tool.Terminal;
 using NeuronMocap.Tool.Watch.Export;
+using NeuronMocap.Tool.Watch.Playback;
 using NeuronMocap.Tool.Watch.Recordings;
 
 namespace NeuronMocap.Tool.Watch;
@@ -44,8 +43,8 @@ internal sealed class WatchVerb : Verb
     /// <summary>The meaning of the exit codes of this verb and of play.</summary>
     public static IReadOnlyList<(int Code, string Meaning)> Codes { get; } =
     [
-        (CommandLine.Done, "success, or ended by q, Ctrl+C or SIGTERM"),
-        (CommandLine.NothingReceived, "nothing was received, or a file could not be read or written; standard error says which setting to check"),
+        (ToolCommand.Done, "success, or ended by q, Ctrl+C or SIGTERM"),
+        (ToolCommand.NothingReceived, "nothing was received, or a file could not be read or written; standard error says which setting to check"),
     ];
 
     /// <summary>The keys of the live view.</summary>
@@ -82,21 +81,14 @@ internal sealed class WatchVerb : Verb
     {
         bool overwrite = result.GetValue(_overwrite);
         Source source = result.GetValue(_source) ?? Source.Demo;
-        WatchOptions options = _output.Read(result) with
+        ConnectionOptions connection = _connection.Read(result, source) with { RotationOrder = result.GetValue(_order), Once = result.GetValue(_once) };
+        WatchOptions options = _output.Read(result, connection) with
         {
-            Server = source.Server,
-            UdpPort = source.UdpPort,
-            LocalAddress = result.GetValue(_connection.LocalAddress) ?? source.LocalAddress,
-            AllowedSenders = result.GetValue(_connection.AllowSender) ?? [],
-            CommandPort = result.GetValue(_connection.CommandPort),
-            CalculationPort = result.GetValue(_connection.CalculationPort),
-            RotationOrder = result.GetValue(_order),
-            Once = result.GetValue(_once),
             Play = source.File is { } file ? _playback.Read(result, file) : null,
             Recording = _recording.Read(result, overwrite),
             Export = _export.Read(result, overwrite),
         };
-        return options.FindFault() is { } fault
+        return options.Connection.FindFault() is { } fault
             ? await RefuseAsync(streams, fault)
             : await new WatchRun(options, streams).RunAsync(cancellationToken);
     }
@@ -123,7 +115,7 @@ internal sealed class WatchVerb : Verb
         if (IsGiven(result, _once))
             result.AddError("--once is for a connection: a file is read to its end.");
         if (IsGiven(result, _recording.File))
-            result.AddError($"--record: the source is already a file; {CommandLine.Name} convert copies it, or a part of it.");
+            result.AddError($"--record: the source is already a file; {ToolCommand.Name} convert copies it, or a part of it.");
 
         SameFile.Reject(result, ("SOURCE", file), _export.File);
     }

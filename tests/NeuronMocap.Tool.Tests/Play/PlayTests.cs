@@ -1,8 +1,8 @@
 using System.Text.Json;
 using NeuronMocap.Bvh;
 using NeuronMocap.Recording;
-using NeuronMocap.Tool.Play;
 using NeuronMocap.Tool.Tests.Infrastructure;
+using NeuronMocap.Tool.Watch.Playback;
 
 namespace NeuronMocap.Tool.Tests.Play;
 

@@ -2,7 +2,6 @@ using System.CommandLine;
 using System.CommandLine.Parsing;
 using System.Globalization;
 using NeuronMocap.Tool.Arguments;
-using NeuronMocap.Tool.Files;
 
 namespace NeuronMocap.Tool.Watch.Export;
 

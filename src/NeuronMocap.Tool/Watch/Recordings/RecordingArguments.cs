@@ -2,7 +2,6 @@ using System.CommandLine;
 using System.CommandLine.Parsing;
 using NeuronMocap.Recording;
 using NeuronMocap.Tool.Arguments;
-using NeuronMocap.Tool.Files;
 
 namespace NeuronMocap.Tool.Watch.Recordings;
 

@@ -1,7 +1,7 @@
 using System.CommandLine;
 using System.CommandLine.Parsing;
 
-namespace NeuronMocap.Tool.Files;
+namespace NeuronMocap.Tool.Arguments;
 
 /// <summary>Checks that a file does not get the extension of another kind of file.</summary>
 internal static class FileNames

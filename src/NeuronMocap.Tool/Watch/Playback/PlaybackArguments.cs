@@ -3,7 +3,7 @@ using System.CommandLine.Parsing;
 using NeuronMocap.Recording;
 using NeuronMocap.Tool.Arguments;
 
-namespace NeuronMocap.Tool.Play;
+namespace NeuronMocap.Tool.Watch.Playback;
 
 /// <summary>The options of a playback.</summary>
 internal sealed class PlaybackArguments
