@@ -22,7 +22,7 @@ internal sealed record StandardStreams(Stream Output, TextWriter Error, bool IsT
     /// <summary>Characters in a line, as the terminal reports them.</summary>
     public int Columns { get; init; }
 
-    public static StandardStreams Open() => new(OpenOutput(), Console.Error, IsTerminal: !Console.IsOutputRedirected)
+    public static StandardStreams Open() => new(OpenOutput(), new UnfailingWriter(Console.Error), IsTerminal: !Console.IsOutputRedirected)
     {
         IsErrorTerminal = !Console.IsErrorRedirected && Screen.CanMoveCursor(Console.Error),
         Columns = Console.IsOutputRedirected ? 0 : Screen.Width,
