@@ -25,13 +25,14 @@ internal static class CommandLine
 
     public static async Task<int> RunAsync(IReadOnlyList<string> args, StandardStreams streams, CancellationToken cancellationToken)
     {
+        IReadOnlyList<string> words = args.Count == 0 ? Default : args;
         ParseResult result;
         try
         {
-            result = Create(streams, cancellationToken).Parse(args.Count == 0 ? Default : args, new ParserConfiguration { ResponseFileTokenReplacer = null });
-            bool isSuggestion = args.Count > 0 && args[0].StartsWith(SuggestDirective, StringComparison.Ordinal);
+            result = Create(streams, cancellationToken).Parse(words, new ParserConfiguration { ResponseFileTokenReplacer = null });
+            bool isSuggestion = words[0].StartsWith(SuggestDirective, StringComparison.Ordinal);
             bool isHelp = result is { Action: HelpPage, UnmatchedTokens.Count: 0 };
-            if (!isSuggestion && !isHelp && UsageFault.Find(result) is { } fault)
+            if (!isSuggestion && !isHelp && UsageFault.Find(result, words) is { } fault)
                 return await RefuseAsync(fault, streams);
         }
         catch (Exception exception)

@@ -14,7 +14,7 @@ internal sealed class DiagnoseVerb : Verb
     private const double Shortest = 1;
     private const double Longest = 300;
 
-    private readonly SourceArgument _source = new("What to diagnose", "this computer, TCP port 7001");
+    private readonly SourceArgument _source = new("What to diagnose", Source.ConnectionForms, "this computer, TCP port 7001");
     private readonly ConnectionArguments _connection = new();
     private readonly Option<bool> _json = CommonOptions.Json("Print every step and the result as one JSON object a line.");
     private readonly Option<bool> _quiet = new("--quiet") { Description = "Print only the result, as one JSON object." };
@@ -42,7 +42,7 @@ internal sealed class DiagnoseVerb : Verb
     public DiagnoseVerb()
         : base(
             "diagnose",
-            "Check a stream once, step by step, and report what is wrong and which setting of Axis Neuron or Axis Studio to change. It takes 10 seconds at most.")
+            "Check a stream once, step by step, and report what is wrong and which setting of Axis Neuron or Axis Studio to change. It takes 10 seconds at most, or as long as --duration allows.")
     {
         Add(_source);
         AddOptions("Output", _json, _quiet, _duration);

@@ -2,8 +2,8 @@ using System.Text.Json.Nodes;
 using NeuronMocap.Bvh;
 using NeuronMocap.Server;
 using NeuronMocap.Tool.Convert;
-using NeuronMocap.Tool.Files;
 using NeuronMocap.Tool.Figures;
+using NeuronMocap.Tool.Files;
 using NeuronMocap.Tool.Terminal;
 
 namespace NeuronMocap.Tool.Info;

@@ -1,7 +1,7 @@
 using NeuronMocap.Bvh;
 using NeuronMocap.Tool.Convert;
-using NeuronMocap.Tool.Files;
 using NeuronMocap.Tool.Figures;
+using NeuronMocap.Tool.Files;
 using NeuronMocap.Tool.Terminal;
 
 namespace NeuronMocap.Tool.Plot;

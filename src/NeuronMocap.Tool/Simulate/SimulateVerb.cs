@@ -26,7 +26,7 @@ internal sealed class SimulateVerb : Verb
         new("simulate --calc take_Char00.calc --calculation --loop", "a calculation export: poses computed from it, and its own values"),
         new("simulate --calculation-port", "motion on port 7001 and calculation on port 7003, as servers normally send them"),
         new("simulate --format text --rate 1", "lines of text; read them with nc 127.0.0.1 7001"),
-        new("simulate --commands", "with a command channel on port 8013: the verb command shows what it answers"),
+        new("simulate --command-port", "with a command channel on port 8013: the verb command shows what it answers"),
     ];
 
     public override IReadOnlyList<(int Code, string Meaning)> ExitCodes { get; } =

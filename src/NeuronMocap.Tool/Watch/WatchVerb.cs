@@ -11,11 +11,14 @@ namespace NeuronMocap.Tool.Watch;
 /// <summary>neuron-mocap watch: shows the frames of a source.</summary>
 internal sealed class WatchVerb : Verb
 {
-    private readonly SourceArgument _source = new("What to receive from", "demo");
+    private readonly SourceArgument _source = new("What to receive from", Source.Forms, "demo");
     private readonly ConnectionArguments _connection = new();
     private readonly PlaybackArguments _playback = new();
-    private readonly OutputArguments _output = new();
-    private readonly ExportArguments _export = new();
+    private readonly OutputArguments _output = new(
+        "Print every frame and every change of the connection as one JSON object a line, and a summary at the end. No frame is left out: over TCP the server "
+            + "waits for a slow reader of the output.");
+
+    private readonly ExportArguments _export = new("the stream (displacement on), from the server's command channel");
     private readonly RecordingArguments _recording = new();
     private readonly Option<bool> _overwrite = CommonOptions.Overwrite("the files of --record and --export");
     private readonly Option<bool> _once = new("--once") { Description = "End when the connection ends or cannot be made, instead of trying again." };
@@ -47,16 +50,6 @@ internal sealed class WatchVerb : Verb
         (ToolCommand.NothingReceived, "nothing was received, or a file could not be read or written; standard error says which setting to check"),
     ];
 
-    /// <summary>The keys of the live view.</summary>
-    public static (string Title, IReadOnlyList<string> Lines) Keys { get; } =
-    (
-        "Keys of the live view",
-        [
-            "q quit   r record on and off   space freeze   tab next avatar   b next bones   c clear counters   ? help",
-            "of a file: space pause   . , step   left, right 5 s back, forward   + - 0 speed",
-        ]
-    );
-
     public override IReadOnlyList<HelpExample> Examples { get; } =
     [
         new("watch", "a moving skeleton, without suit or server"),
@@ -75,7 +68,7 @@ internal sealed class WatchVerb : Verb
 
     public override IReadOnlyList<(int Code, string Meaning)> ExitCodes => Codes;
 
-    public override (string Title, IReadOnlyList<string> Lines) Notes => Keys;
+    public override (string Title, IReadOnlyList<string> Lines) Notes => LiveKeys.OfWatch;
 
     public override async Task<int> RunAsync(ParseResult result, StandardStreams streams, CancellationToken cancellationToken)
     {

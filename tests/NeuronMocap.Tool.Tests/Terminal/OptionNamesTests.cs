@@ -9,7 +9,6 @@ using NeuronMocap.Diagnostics;
 using NeuronMocap.Recording;
 using NeuronMocap.Server;
 using NeuronMocap.Tool.Terminal;
-using NeuronMocap.Tool.Watch.Recordings;
 
 namespace NeuronMocap.Tool.Tests.Terminal;
 
