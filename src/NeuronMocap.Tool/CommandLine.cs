@@ -7,7 +7,6 @@ using NeuronMocap.Tool.Convert;
 using NeuronMocap.Tool.Diagnose;
 using NeuronMocap.Tool.Files;
 using NeuronMocap.Tool.Info;
-using NeuronMocap.Tool.Output;
 using NeuronMocap.Tool.Play;
 using NeuronMocap.Tool.Plot;
 using NeuronMocap.Tool.Simulate;
@@ -19,13 +18,6 @@ namespace NeuronMocap.Tool;
 /// <summary>The program: its verbs, and the handling of a command line.</summary>
 internal static class CommandLine
 {
-    public const int Done = 0;
-    public const int NothingReceived = 1;
-    public const int BadUsage = 2;
-    public const int Interrupted = 130;
-
-    public const string Name = "neuron-mocap";
-
     // The directive that shells send for completion. The words after it are an unfinished command line.
     private const string SuggestDirective = "[suggest";
 
@@ -33,19 +25,20 @@ internal static class CommandLine
 
     public static async Task<int> RunAsync(IReadOnlyList<string> args, StandardStreams streams, CancellationToken cancellationToken)
     {
+        IReadOnlyList<string> words = args.Count == 0 ? Default : args;
         ParseResult result;
         try
         {
-            result = Create(streams, cancellationToken).Parse(args.Count == 0 ? Default : args, new ParserConfiguration { ResponseFileTokenReplacer = null });
-            bool isSuggestion = args.Count > 0 && args[0].StartsWith(SuggestDirective, StringComparison.Ordinal);
+            result = Create(streams, cancellationToken).Parse(words, new ParserConfiguration { ResponseFileTokenReplacer = null });
+            bool isSuggestion = words[0].StartsWith(SuggestDirective, StringComparison.Ordinal);
             bool isHelp = result is { Action: HelpPage, UnmatchedTokens.Count: 0 };
-            if (!isSuggestion && !isHelp && UsageFault.Find(result) is { } fault)
+            if (!isSuggestion && !isHelp && UsageFault.Find(result, words) is { } fault)
                 return await RefuseAsync(fault, streams);
         }
         catch (Exception exception)
         {
             // The parser runs this program's own checks. Their exceptions must not end in a stack trace.
-            return await RefuseAsync(UsageFault.WithHelp(Name, $"the options cannot be understood: {exception.Message}"), streams);
+            return await RefuseAsync(UsageFault.WithHelp(ToolCommand.Name, $"the options cannot be understood: {exception.Message}"), streams);
         }
 
         try
@@ -60,22 +53,22 @@ internal static class CommandLine
             };
             return await result.InvokeAsync(invocation, CancellationToken.None);
         }
-        catch (IOException exception) when (WatchOutput.IsBrokenPipe(exception))
+        catch (IOException exception) when (StandardStreams.IsBrokenPipe(exception))
         {
             // The program that reads the output may close it at any time.
-            return Done;
+            return ToolCommand.Done;
         }
         catch (IOException exception) when (FileFault.IsDiskFull(exception))
         {
             await streams.ComplainAsync(FileFault.OfStandardOutput(exception));
-            return NothingReceived;
+            return ToolCommand.NothingReceived;
         }
         catch (Exception exception)
         {
             // An unexpected exception. The process still ends with a sentence, and the first line of the trace shows where to look.
             string? place = exception.StackTrace?.Split('\n')[0].Trim();
             await streams.ComplainAsync($"a fault of this program, please report it: {exception.GetType().Name}: {exception.Message} {place}");
-            return NothingReceived;
+            return ToolCommand.NothingReceived;
         }
     }
 
@@ -106,6 +99,6 @@ internal static class CommandLine
     private static async Task<int> RefuseAsync(string fault, StandardStreams streams)
     {
         await streams.ComplainAsync(fault);
-        return BadUsage;
+        return ToolCommand.BadUsage;
     }
 }

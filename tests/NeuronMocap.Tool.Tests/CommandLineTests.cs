@@ -46,6 +46,27 @@ public sealed partial class CommandLineTests
     [InlineData("--record", "watch", "--record")]
     [InlineData("--record", "watch", "--record", " ")]
     [InlineData("--record needs a value, and --quiet is another option.", "watch", "--record", "--quiet")]
+    [InlineData("--record needs a value, and --help is another option.", "watch", "--record", "--help")]
+    [InlineData("--record needs a value, and --qiet looks like another option. Write ./--qiet", "watch", "--record", "--qiet")]
+    [InlineData("--bvh needs a value, and --local-address is another option.", "simulate", "--bvh", "--local-address", "127.0.0.1")]
+    [InlineData("unknown option --local-adress: did you mean --local-address?", "simulate", "--local-adress", "127.0.0.1")]
+    [InlineData("--local-address: 'x' is not an IP address.", "simulate", "--local-address", "x")]
+    [InlineData("--json takes no value.", "watch", "--json=1", "demo")]
+    [InlineData("--json takes no value.", "watch", "--json=1")]
+    [InlineData("--json takes no value.", "info", "a.bvh", "--json:true")]
+    [InlineData("there is no file 'take.bhv'", "watch", "take.bhv")]
+    [InlineData("did you mean .calc? For a computer of that name, write tcp://take.clac.", "diagnose", "take.clac")]
+    [InlineData("did you mean .nmrec?", "command", "take.nmrce")]
+    [InlineData("Use HOST, HOST:PORT, tcp://HOST:PORT, udp://:PORT, or demo.", "diagnose", "ftp://studio")]
+    [InlineData("Use HOST, HOST:PORT, tcp://HOST:PORT or demo.", "command", "ftp://studio")]
+    [InlineData("--avatar is not for order", "command", "demo", "order", "--avatar", "3")]
+    [InlineData("--avatar is not for order", "command", "demo", "--avatar", "3", "ORDER")]
+    [InlineData("--loop needs --bvh, --calc or --play", "simulate", "--loop")]
+    [InlineData("--data-commands needs a TCP port", "simulate", "--udp", "127.0.0.1:7002", "--data-commands", "on")]
+    [InlineData("--motion off and --reference exclude each other", "simulate", "--motion", "off", "--reference", "on")]
+    [InlineData("'--frames' is one argument too many.", "watch", "--", "demo", "--frames")]
+    [InlineData("--rate max sends as fast as clients read.", "simulate", "--play", "a.nmrec", "--speed", "max")]
+    [InlineData("--export: the name of the file is empty.", "watch", "--export", " ")]
     [InlineData("--record", "watch", "--record-compress")]
     [InlineData("--record-size", "watch", "--record", "take", "--record-size", "1")]
     [InlineData("--record-time", "watch", "--record", "take", "--record-time", "0")]
@@ -116,6 +137,10 @@ public sealed partial class CommandLineTests
     [InlineData("unknown verb 'wacth': did you mean watch?", "wacth")]
     [InlineData("unknown verb 'Watch': did you mean watch?", "Watch", "demo")]
     [InlineData("unknown verb 'help': did you mean --help?", "help")]
+    [InlineData("unknown verb 'help': did you mean neuron-mocap watch --help?", "help", "watch")]
+    [InlineData("unknown verb '/?': did you mean --help?", "/?")]
+    [InlineData("unknown option -?: did you mean --help?", "-?")]
+    [InlineData("unknown option -V: did you mean --version?", "-V")]
     [InlineData("unknown verb '192.168.1.20': did you mean neuron-mocap watch 192.168.1.20?", "192.168.1.20", "--json")]
     [InlineData("unknown verb 'demo': did you mean neuron-mocap watch demo?", "demo")]
     [InlineData("unknown verb 'frobnicate'.", "frobnicate", "--help")]
@@ -130,6 +155,20 @@ public sealed partial class CommandLineTests
         Assert.Equal(2, result.ExitCode);
         Assert.Empty(result.Output);
         Assert.Equal($"neuron-mocap: {said} neuron-mocap --help lists the verbs.", Assert.Single(result.Error));
+    }
+
+    [Fact]
+    public async Task A_file_whose_name_begins_with_a_dash_follows_two_dashes()
+    {
+        ToolResult result = await ToolRunner.RunAsync("play", "--", "-missing.nmrec");
+        Assert.Equal((1, "neuron-mocap: '-missing.nmrec' does not exist."), (result.ExitCode, Assert.Single(result.Error)));
+    }
+
+    [Fact]
+    public async Task A_word_before_the_verb_is_explained()
+    {
+        ToolResult result = await ToolRunner.RunAsync("studio", "watch");
+        Assert.Equal((2, "neuron-mocap: 'studio' is before the verb watch. neuron-mocap watch --help lists the options."), (result.ExitCode, Assert.Single(result.Error)));
     }
 
     [Fact]
@@ -209,7 +248,7 @@ public sealed partial class CommandLineTests
             string[] words = example.Trim().Split("  ")[0].Split('>')[0].Split(' ', StringSplitOptions.RemoveEmptyEntries);
             Assert.Equal(["neuron-mocap", verb], words[..2]);
 
-            Assert.Null(UsageFault.Find(CommandLine.Create(streams, CancellationToken.None).Parse(words[1..])));
+            Assert.Null(UsageFault.Find(CommandLine.Create(streams, CancellationToken.None).Parse(words[1..]), words[1..]));
         }
     }
 
@@ -218,15 +257,48 @@ public sealed partial class CommandLineTests
     [InlineData("diagnose", "--json", "--quiet", "--duration", "--allow-sender", "--local-address", "--command-port", "--calculation-port", "--order")]
     [InlineData("play", "--speed", "--rate", "--loop", "--json", "--quiet", "--frames", "--duration", "--order", "--export", "--overwrite")]
     [InlineData("info", "--json", "--rate", "--avatar", "--order")]
-    [InlineData("convert", "--from", "--to", "--resample", "--order", "--input-order", "--avatar", "--rate", "--overwrite")]
+    [InlineData("convert", "--from", "--to", "--resample", "--order", "--output-order", "--avatar", "--rate", "--overwrite")]
     [InlineData("plot", "--from", "--to", "--order", "--avatar", "--rate", "--overwrite")]
     [InlineData("command", "--avatar", "--json")]
-    [InlineData("simulate", "--port", "--bvh", "--calc", "--play", "--speed", "--udp", "--calculation-port", "--commands", "--bind")]
+    [InlineData("simulate", "--port", "--bvh", "--calc", "--play", "--speed", "--udp", "--calculation-port", "--command-port", "--bind")]
     public async Task The_options_that_scripts_rely_on_exist(string verb, params string[] options)
     {
         ToolResult result = await ToolRunner.RunAsync(verb, "--help");
         foreach (string option in options)
             Assert.Contains(result.Output, line => line.StartsWith($"  {option} ", StringComparison.Ordinal) || line.StartsWith($"  {option}, ", StringComparison.Ordinal));
+    }
+
+    [Theory]
+    [InlineData("diagnose", "a file", "r record")]
+    [InlineData("play", "r record", "freeze", "command channel", "calculation export", "the connection")]
+    [InlineData("watch", "calculation export")]
+    public async Task Help_offers_nothing_that_the_verb_refuses(string verb, params string[] refused)
+    {
+        string help = string.Join('\n', (await ToolRunner.RunAsync(verb, "--help")).Output);
+        foreach (string words in refused)
+            Assert.DoesNotContain(words, help, StringComparison.Ordinal);
+    }
+
+    // --order is the rotation order of a stream. What convert writes has another option.
+    [Theory]
+    [InlineData("watch")]
+    [InlineData("play")]
+    [InlineData("info")]
+    [InlineData("plot")]
+    [InlineData("convert")]
+    public async Task One_option_has_one_meaning(string verb)
+    {
+        ToolResult help = await ToolRunner.RunAsync(verb, "--help");
+        string line = Assert.Single(help.Output, static line => line.StartsWith("  --order ", StringComparison.Ordinal));
+        Assert.DoesNotContain("to write", line, StringComparison.Ordinal);
+        Assert.DoesNotContain(help.Output, static line => line.Contains("--input-order", StringComparison.Ordinal));
+    }
+
+    [Fact]
+    public async Task The_command_port_of_the_simulator_has_the_name_that_watch_uses()
+    {
+        ToolResult help = await ToolRunner.RunAsync("simulate", "--help");
+        Assert.Contains(help.Output, static line => line.StartsWith("  --command-port, --commands [<PORT>]", StringComparison.Ordinal));
     }
 
     [Theory]

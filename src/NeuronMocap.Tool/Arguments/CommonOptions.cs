@@ -67,12 +67,16 @@ internal static class CommonOptions
         return option;
     }
 
+    /// <summary>The rotation order of a stream in a file.</summary>
+    public static Option<RotationOrder?> StreamOrder() => Order(
+        "--order", "For a recording or the bytes of a stream: its rotation order, if the file does not state it. Default: YXZ.");
+
     /// <summary>The frame rate of a file without times.</summary>
-    public static Option<double?> Rate() => new("--rate")
+    /// <param name="files">The files without times that the verb reads.</param>
+    public static Option<double?> Rate(string files = "a file that holds bytes without times or a calculation export") => new("--rate")
     {
         HelpName = "HZ",
-        Description = "Frames per second of each avatar, 0.01 to 100000, for a file that holds bytes without times or a calculation export. "
-            + "Default: the rate of its timecodes, or 120.",
+        Description = $"Frames per second of each avatar, 0.01 to 100000, for {files}. Default: the rate of its timecodes, or 120.",
         CustomParser = static result => NumberArgument.Parse(result, 0.01, 100_000, "a number from 0.01 to 100000"),
         Arity = ArgumentArity.ExactlyOne,
     };

@@ -45,6 +45,17 @@ internal sealed class ConnectionArguments
             Reject(result, LocalAddress, $"and {source} exclude each other: both say where to receive.");
     }
 
+    /// <summary>Creates the options of a connection to the source.</summary>
+    public ConnectionOptions Read(ParseResult result, Source source) => new()
+    {
+        Server = source.Server,
+        UdpPort = source.UdpPort,
+        LocalAddress = result.GetValue(LocalAddress) ?? source.LocalAddress,
+        AllowedSenders = result.GetValue(AllowSender) ?? [],
+        CommandPort = result.GetValue(CommandPort),
+        CalculationPort = result.GetValue(CalculationPort),
+    };
+
     private static void Reject(CommandResult result, Option option, string why)
     {
         if (Verb.IsGiven(result, option))

@@ -21,7 +21,7 @@ internal sealed class HelpPage(StandardStreams streams) : SynchronousCommandLine
         else
             WriteProgram(command);
 
-        return CommandLine.Done;
+        return ToolCommand.Done;
     }
 
     private void WriteProgram(Command program)
@@ -35,7 +35,7 @@ internal sealed class HelpPage(StandardStreams streams) : SynchronousCommandLine
         WriteTitle("Exit codes");
         WriteCodes(ProgramHelp.ExitCodes);
         _page.WriteLine();
-        _page.WriteLine($"{CommandLine.Name} VERB --help says more, with examples.");
+        _page.WriteLine($"{ToolCommand.Name} VERB --help says more, with examples.");
     }
 
     private void WriteVerb(Verb verb)
@@ -65,13 +65,13 @@ internal sealed class HelpPage(StandardStreams streams) : SynchronousCommandLine
 
         WriteExamples(verb.Examples);
         WriteTitle("Exit codes");
-        WriteCodes([.. verb.ExitCodes, (CommandLine.BadUsage, "wrong command line")]);
+        WriteCodes([.. verb.ExitCodes, (ToolCommand.BadUsage, "wrong command line")]);
     }
 
     private void WriteUsage(string arguments)
     {
         WriteTitle("Usage");
-        _page.WriteRow(string.Empty, 0, $"{CommandLine.Name} {arguments}");
+        _page.WriteRow(string.Empty, 0, $"{ToolCommand.Name} {arguments}");
     }
 
     private void WriteTitle(string title)
@@ -83,7 +83,7 @@ internal sealed class HelpPage(StandardStreams streams) : SynchronousCommandLine
     private void WriteExamples(IReadOnlyList<HelpExample> examples)
     {
         WriteTitle("Examples");
-        WriteRows([.. examples.Select(static example => ($"{CommandLine.Name} {example.Arguments}".TrimEnd(), example.Meaning))]);
+        WriteRows([.. examples.Select(static example => ($"{ToolCommand.Name} {example.Arguments}".TrimEnd(), example.Meaning))]);
     }
 
     private void WriteCodes(IEnumerable<(int Code, string Meaning)> codes)

@@ -1,3 +1,5 @@
+using NeuronMocap.Tool.Terminal;
+
 namespace NeuronMocap.Tool.Arguments;
 
 /// <summary>The help of the program, apart from its verbs.</summary>
@@ -18,9 +20,9 @@ internal static class ProgramHelp
 
     public static IReadOnlyList<(int Code, string Meaning)> ExitCodes { get; } =
     [
-        (CommandLine.Done, "success"),
-        (CommandLine.NothingReceived, "nothing was received, or something could not be read or written; standard error says what to check"),
-        (CommandLine.BadUsage, "wrong command line"),
-        (CommandLine.Interrupted, "ended by Ctrl+C or SIGTERM before a result"),
+        (ToolCommand.Done, "success"),
+        (ToolCommand.NothingReceived, "nothing was received, or something could not be read or written; standard error says what to check"),
+        (ToolCommand.BadUsage, "wrong command line"),
+        (ToolCommand.Interrupted, "ended by Ctrl+C or SIGTERM before a result"),
     ];
 }

@@ -27,6 +27,12 @@ internal sealed record Source(SourceKind Kind)
     /// <summary>The forms of a source, for help and errors.</summary>
     public const string Forms = "HOST, HOST:PORT, tcp://HOST:PORT, udp://:PORT, a file, or demo";
 
+    /// <summary>The forms of a source that has a connection.</summary>
+    public const string ConnectionForms = "HOST, HOST:PORT, tcp://HOST:PORT, udp://:PORT, or demo";
+
+    /// <summary>The forms of a source over TCP.</summary>
+    public const string ServerForms = "HOST, HOST:PORT, tcp://HOST:PORT or demo";
+
     private const string DemoWord = "demo";
     private const string TcpScheme = "tcp://";
     private const string UdpScheme = "udp://";
@@ -56,12 +62,14 @@ internal sealed record Source(SourceKind Kind)
     /// <param name="text">An argument of the command line.</param>
     /// <param name="source">The source.</param>
     /// <param name="error">The reason why the text is not a source.</param>
-    public static bool TryParse(string text, [NotNullWhen(true)] out Source? source, [NotNullWhen(false)] out string? error)
+    /// <param name="forms">The accepted forms, for the reason.</param>
+    public static bool TryParse(
+        string text, [NotNullWhen(true)] out Source? source, [NotNullWhen(false)] out string? error, string forms = Forms)
     {
         (source, error) = (null, null);
         try
         {
-            source = Parse(text);
+            source = Parse(text, forms);
             return true;
         }
         catch (FormatException fault)
@@ -80,7 +88,7 @@ internal sealed record Source(SourceKind Kind)
         _ => DemoWord,
     };
 
-    private static Source Parse(string text)
+    private static Source Parse(string text, string forms)
     {
         string word = text.Trim();
         if (word.Equals(DemoWord, StringComparison.OrdinalIgnoreCase))
@@ -89,9 +97,11 @@ internal sealed record Source(SourceKind Kind)
         bool hasScheme = word.Contains("://", StringComparison.Ordinal);
         bool isTransport = word.StartsWith(TcpScheme, StringComparison.OrdinalIgnoreCase) || word.StartsWith(UdpScheme, StringComparison.OrdinalIgnoreCase);
         if (word.Length == 0 || (hasScheme && !isTransport))
-            throw new FormatException($"'{text}' is not a source. Use {Forms}.");
+            throw new FormatException($"'{text}' is not a source. Use {forms}.");
         if (!hasScheme && IsFileName(word))
             return OfFile(text);
+        if (!hasScheme && MistypedFile.Describe(word) is { } mistake)
+            throw new FormatException(mistake);
 
         var options = NeuronReaderOptions.Parse(word);
         if (options.Transport == TransportKind.Tcp)

@@ -6,13 +6,17 @@ namespace NeuronMocap.Tool.Arguments;
 /// <summary>The argument SOURCE of a verb.</summary>
 internal sealed class SourceArgument : Argument<Source?>
 {
+    private readonly string _forms;
+
     /// <summary>Creates the argument.</summary>
     /// <param name="what">What the verb does with the source.</param>
+    /// <param name="forms">The forms of a source that the verb accepts.</param>
     /// <param name="whenLeftOut">The default source.</param>
-    public SourceArgument(string what, string whenLeftOut)
+    public SourceArgument(string what, string forms, string whenLeftOut)
         : base("SOURCE")
     {
-        Description = $"{what}: {Source.Forms}. Write an IPv6 address with a port in brackets: [::1]:7001. Default: {whenLeftOut}.";
+        _forms = forms;
+        Description = $"{what}: {forms}. Write an IPv6 address with a port in brackets: [::1]:7001. Default: {whenLeftOut}.";
         Arity = ArgumentArity.ZeroOrOne;
         CustomParser = Parse;
         CompletionSources.Add("demo", "tcp://", "udp://:");
@@ -22,11 +26,11 @@ internal sealed class SourceArgument : Argument<Source?>
     public Source? Find(CommandResult result) =>
         result.GetResult(this) is { Tokens: [var word, ..] } && Source.TryParse(word.Value, out Source? source, out _) ? source : null;
 
-    private static Source? Parse(ArgumentResult result)
+    private Source? Parse(ArgumentResult result)
     {
         if (result.Tokens.Count == 0)
             return null;
-        if (!Source.TryParse(result.Tokens[0].Value, out Source? source, out string? error))
+        if (!Source.TryParse(result.Tokens[0].Value, out Source? source, out string? error, _forms))
             result.AddError(error);
 
         return source;

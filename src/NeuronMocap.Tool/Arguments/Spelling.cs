@@ -17,6 +17,10 @@ internal static class Spelling
         return best.Slips <= Math.Max(1, typed.Length / LettersPerSlip) ? best.Word : null;
     }
 
+    /// <summary>Finds a word that differs by one slip. Null if there is none.</summary>
+    public static string? FindSlip(string typed, IEnumerable<string> words) =>
+        words.Order(StringComparer.Ordinal).FirstOrDefault(word => CountSlips(typed.ToLowerInvariant(), word.ToLowerInvariant()) == 1);
+
     // Counts the letters to change, add, remove or swap with the next. The start of a word counts as the word.
     private static int CountSlips(string typed, string word)
     {

@@ -57,8 +57,8 @@ internal abstract class Verb : Command
     /// <summary>Reports a fault of values that are valid separately but not together.</summary>
     protected async Task<int> RefuseAsync(StandardStreams streams, string fault)
     {
-        await streams.ComplainAsync(UsageFault.WithHelp($"{CommandLine.Name} {Name}", fault));
-        return CommandLine.BadUsage;
+        await streams.ComplainAsync(UsageFault.WithHelp($"{ToolCommand.Name} {Name}", fault));
+        return ToolCommand.BadUsage;
     }
 
     /// <summary>Adds an error if the command line contains both of two options that exclude each other.</summary>

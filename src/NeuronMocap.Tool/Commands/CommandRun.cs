@@ -3,7 +3,6 @@ using NeuronMocap.Commands;
 using NeuronMocap.Server;
 using NeuronMocap.Tool.Arguments;
 using NeuronMocap.Tool.Files;
-using NeuronMocap.Tool.Output;
 using NeuronMocap.Tool.Terminal;
 
 namespace NeuronMocap.Tool.Commands;
@@ -25,7 +24,7 @@ internal sealed class CommandRun(CommandSettings settings, StandardStreams strea
             else
                 Write(await AskAsync(client, server, cancellationToken));
 
-            return CommandLine.Done;
+            return ToolCommand.Done;
         }
         catch (NeuronException exception)
         {
@@ -33,13 +32,13 @@ internal sealed class CommandRun(CommandSettings settings, StandardStreams strea
         }
         catch (OperationCanceledException)
         {
-            return CommandLine.Interrupted;
+            return ToolCommand.Interrupted;
         }
         catch (IOException exception)
         {
             // The program that reads the output may close it at any time.
-            return WatchOutput.IsBrokenPipe(exception)
-                ? CommandLine.Done
+            return StandardStreams.IsBrokenPipe(exception)
+                ? ToolCommand.Done
                 : await FailAsync(FileFault.OfStandardOutput(exception));
         }
     }
@@ -91,6 +90,6 @@ internal sealed class CommandRun(CommandSettings settings, StandardStreams strea
     private async Task<int> FailAsync(string message)
     {
         await streams.ComplainAsync(message);
-        return CommandLine.NothingReceived;
+        return ToolCommand.NothingReceived;
     }
 }

@@ -9,9 +9,11 @@ namespace NeuronMocap.Tool.Commands;
 /// <summary>neuron-mocap command: sends commands to a server's command channel.</summary>
 internal sealed class CommandVerb : Verb
 {
+    private const string OrderWord = "order";
+
     private static readonly (string Word, CommandQuestion Question)[] Questions =
     [
-        ("order", CommandQuestion.Order), ("bones", CommandQuestion.Bones), ("header", CommandQuestion.Header), ("zero-out", CommandQuestion.ZeroOut),
+        (OrderWord, CommandQuestion.Order), ("bones", CommandQuestion.Bones), ("header", CommandQuestion.Header), ("zero-out", CommandQuestion.ZeroOut),
     ];
 
     private readonly Argument<Source?> _server = new("HOST[:PORT]")
@@ -31,7 +33,7 @@ internal sealed class CommandVerb : Verb
     };
 
     private readonly Option<int?> _avatar = CommonOptions.Avatar(
-        "Number of the avatar to ask about, from 0. Default: the first; for zero-out: all.");
+        "Number of the avatar, from 0. Default: the first; for zero-out: all. Not for order.");
 
     private readonly Option<bool> _json = CommonOptions.Json("Print the answer as one JSON object.");
 
@@ -44,6 +46,7 @@ internal sealed class CommandVerb : Verb
         Add(_server);
         Add(_question);
         AddOptions("Options", _avatar, _json);
+        Validators.Add(Reject);
     }
 
     public override IReadOnlyList<HelpExample> Examples { get; } =
@@ -56,25 +59,31 @@ internal sealed class CommandVerb : Verb
 
     public override IReadOnlyList<(int Code, string Meaning)> ExitCodes { get; } =
     [
-        (CommandLine.Done, "answered"),
-        (CommandLine.NothingReceived, "not answered; standard error says why"),
-        (CommandLine.Interrupted, "ended by Ctrl+C or SIGTERM before the answer"),
+        (ToolCommand.Done, "answered"),
+        (ToolCommand.NothingReceived, "not answered; standard error says why"),
+        (ToolCommand.Interrupted, "ended by Ctrl+C or SIGTERM before the answer"),
     ];
 
     public override Task<int> RunAsync(ParseResult result, StandardStreams streams, CancellationToken cancellationToken) => new CommandRun(
         new CommandSettings(result.GetValue(_server)!.Server, result.GetValue(_question), result.GetValue(_avatar), result.GetValue(_json)),
         streams).RunAsync(cancellationToken);
 
+    private void Reject(CommandResult result)
+    {
+        if (IsGiven(result, _avatar) && result.GetResult(_question) is { Tokens: [{ Value: var word }] } && word.Equals(OrderWord, StringComparison.OrdinalIgnoreCase))
+            result.AddError("--avatar is not for order: all avatars of a server have the same rotation order.");
+    }
+
     // Accepts the forms of TCP sources, with a different default port.
     private static Source? ParseServer(ArgumentResult result)
     {
         string text = result.Tokens[0].Value;
-        if (!Source.TryParse(text, out Source? source, out string? error))
+        if (!Source.TryParse(text, out Source? source, out string? error, Source.ServerForms))
             result.AddError(error);
         else if (source.Kind == SourceKind.Tcp)
             return Source.OfServer(ServerAddress.ParseCommandChannel(text));
         else if (source.Kind != SourceKind.Demo)
-            result.AddError($"'{text}' has no command channel: give HOST, HOST:PORT, tcp://HOST:PORT or demo.");
+            result.AddError($"'{text}' has no command channel: give {Source.ServerForms}.");
 
         return source;
     }

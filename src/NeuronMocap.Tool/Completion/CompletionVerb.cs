@@ -37,12 +37,12 @@ internal sealed class CompletionVerb : Verb
         new("completion pwsh >> $PROFILE", "for PowerShell"),
     ];
 
-    public override IReadOnlyList<(int Code, string Meaning)> ExitCodes { get; } = [(CommandLine.Done, "done")];
+    public override IReadOnlyList<(int Code, string Meaning)> ExitCodes { get; } = [(ToolCommand.Done, "done")];
 
     public override async Task<int> RunAsync(ParseResult result, StandardStreams streams, CancellationToken cancellationToken)
     {
         await streams.Output.WriteAsync(Encoding.UTF8.GetBytes(ShellScripts.Of(result.GetValue(_shell)!)), CancellationToken.None);
         await streams.Output.FlushAsync(CancellationToken.None);
-        return CommandLine.Done;
+        return ToolCommand.Done;
     }
 }

@@ -19,7 +19,7 @@ internal static class BvhEdit
             document = document.Trim((int)first, (int)count);
         }
 
-        if (settings.RotationOrder is { } order)
+        if (settings.OutputOrder is { } order)
             document = document.WithRotationOrder(order);
 
         cancellationToken.ThrowIfCancellationRequested();

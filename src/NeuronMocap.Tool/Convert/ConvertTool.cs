@@ -12,7 +12,10 @@ internal sealed class ConvertTool(FileSettings settings, StandardStreams streams
     private readonly TimeRange _range = new(settings.From, settings.To);
     private readonly ConversionSummary _summary = new();
 
-    public void Run(OutputFile output, CancellationToken cancellationToken)
+    /// <summary>Converts the file. Returns the exit code.</summary>
+    public Task<int> RunAsync(CancellationToken cancellationToken) => new FileRun(settings, streams).RunAsync((output, stop) => Run(output!, stop), cancellationToken);
+
+    private void Run(OutputFile output, CancellationToken cancellationToken)
     {
         FileKind to = FileKinds.OfName(settings.Output!)!.Value;
         FileKind from = settings.RecognizeInput();
@@ -32,8 +35,8 @@ internal sealed class ConvertTool(FileSettings settings, StandardStreams streams
     private void Write(FileKind from, FileKind to, string path, IProgress<double> progress, CancellationToken cancellationToken)
     {
         bool isStream = from is FileKind.Recording or FileKind.Raw;
-        if (to == FileKind.Calculation && settings.RotationOrder is not null)
-            throw new NeuronException("--order: a calculation export holds no angles.");
+        if (to == FileKind.Calculation && settings.OutputOrder is not null)
+            throw new NeuronException("--output-order: a calculation export holds no angles.");
 
         switch (to)
         {
@@ -65,7 +68,7 @@ internal sealed class ConvertTool(FileSettings settings, StandardStreams streams
     private void WriteTake(FileKind from, FileKind to, string path, IProgress<double> progress, CancellationToken cancellationToken)
     {
         InputTake take = InputTake.Load(settings, from, progress, cancellationToken);
-        RotationOrder order = settings.RotationOrder ?? take.Order;
+        RotationOrder order = settings.OutputOrder ?? take.Order;
         MotionSource motion = _range.IsAll && settings.FrameRate is null ? take.Motion : new TakePart(take.Motion, _range, settings.FrameRate);
         switch (to)
         {
@@ -91,14 +94,14 @@ internal sealed class ConvertTool(FileSettings settings, StandardStreams streams
     private void AddLossOfRaw(FileKind to)
     {
         if (to == FileKind.Raw)
-            _summary.AddLoss("times, rotation order and body: raw bytes cannot hold them; give --rate and --input-order when reading");
+            _summary.AddLoss("times, rotation order and body: raw bytes cannot hold them; give --rate and --order when reading");
     }
 
     private void CopyStream(FileKind from, FileKind to, string path, IProgress<double> progress, CancellationToken cancellationToken)
     {
         RejectForCopy("the bytes of a stream are copied as they were received");
         if (settings.InputOrder is not null)
-            throw new NeuronException("--input-order: the bytes of a stream are copied as they were received.");
+            throw new NeuronException("--order: the bytes of a stream are copied as they were received.");
         if (settings.Avatar is not null)
             throw new NeuronException("--avatar: the bytes of a stream are copied as they were received, of all avatars.");
 
@@ -137,8 +140,8 @@ internal sealed class ConvertTool(FileSettings settings, StandardStreams streams
     {
         if (settings.FrameRate is not null)
             throw new NeuronException($"--resample: {why}; only poses can be interpolated, for a .bvh file.");
-        if (settings.RotationOrder is not null)
-            throw new NeuronException($"--order: {why}.");
+        if (settings.OutputOrder is not null)
+            throw new NeuronException($"--output-order: {why}.");
     }
 
     private IPacketSink OpenSink(FileKind kind, string path, InputTake? take)

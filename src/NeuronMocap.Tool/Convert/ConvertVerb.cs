@@ -23,11 +23,7 @@ internal sealed class ConvertVerb : Verb
         Arity = ArgumentArity.ExactlyOne,
     };
 
-    private readonly Option<RotationOrder?> _order = CommonOptions.Order("--order", "Rotation order to write. Default: that of IN.");
-
-    private readonly Option<RotationOrder?> _inputOrder = CommonOptions.Order(
-        "--input-order",
-        "For a recording or the bytes of a stream: its rotation order, if the file does not state it. Default: YXZ.");
+    private readonly Option<RotationOrder?> _outputOrder = CommonOptions.Order("--output-order", "Rotation order to write. Default: that of IN.");
 
     public ConvertVerb()
         : base("convert", "Write a file as another kind of file, or a part of it. A line on standard error says what the new file holds and what it lacks.")
@@ -35,7 +31,7 @@ internal sealed class ConvertVerb : Verb
         foreach (Argument file in _take.Files)
             Add(file);
 
-        AddOptions("Options", [.. _take.Options, _resample, _order, _inputOrder]);
+        AddOptions("Options", [.. _take.Options, _resample, _outputOrder]);
         Validators.Add(Reject);
     }
 
@@ -43,7 +39,7 @@ internal sealed class ConvertVerb : Verb
     [
         new("convert take.nmrec take.bvh", "a recording as BVH; a file of any kind as any other"),
         new("convert a.bvh b.bvh --from 2 --to 5", "a part of a take"),
-        new("convert a.bvh b.bvh --resample 60 --order XYZ", "another frame rate and another rotation order"),
+        new("convert a.bvh b.bvh --resample 60 --output-order XYZ", "another frame rate and another rotation order"),
         new("convert dump.bin take.bvh --rate 60", "the raw bytes of a stream, at 60 frames per second"),
     ];
 
@@ -51,13 +47,12 @@ internal sealed class ConvertVerb : Verb
 
     public override Task<int> RunAsync(ParseResult result, StandardStreams streams, CancellationToken cancellationToken)
     {
-        FileSettings settings = _take.Read(result, FileTask.Convert) with
+        FileSettings settings = _take.Read(result) with
         {
             FrameRate = result.GetValue(_resample),
-            RotationOrder = result.GetValue(_order),
-            InputOrder = result.GetValue(_inputOrder),
+            OutputOrder = result.GetValue(_outputOrder),
         };
-        return new FileRun(settings, streams).RunAsync(cancellationToken);
+        return new ConvertTool(settings, streams).RunAsync(cancellationToken);
     }
 
     private void Reject(CommandResult result)

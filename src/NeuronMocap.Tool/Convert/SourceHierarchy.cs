@@ -1,7 +1,6 @@
 using System.Numerics;
 using NeuronMocap.Bvh;
 using NeuronMocap.Skeleton;
-using NeuronMocap.Tool.Files;
 
 namespace NeuronMocap.Tool.Convert;
 

@@ -48,7 +48,7 @@ internal static class StreamWarnings
         if (statistics.BytesSkipped > 0)
             summary.AddWarning($"{Quantity.Bytes(statistics.BytesSkipped)} are not frames");
         if (!hasTimes)
-            summary.AddLoss("times, rotation order and body: raw bytes cannot hold them; give --rate and --input-order when reading");
+            summary.AddLoss("times, rotation order and body: raw bytes cannot hold them; give --rate and --order when reading");
     }
 
     /// <summary>Finds the data that a take of one avatar leaves out.</summary>
@@ -76,7 +76,7 @@ internal static class StreamWarnings
         if (reader.GetStatistics().BytesSkipped > 0)
             summary.AddWarning($"{Quantity.Bytes(reader.GetStatistics().BytesSkipped)} are not frames");
         if (hasMotion && !isStudio && settings.InputOrder is null && !KnowsOrder(settings.Input))
-            summary.AddWarning("the rotation order of the stream is not known, and YXZ is assumed; set --input-order if it differs");
+            summary.AddWarning("the rotation order of the stream is not known, and YXZ is assumed; set --order if it differs");
         if (others > 0)
             summary.AddLoss(Quantity.Format($"{others:#,0} frames of other avatars or kinds"));
     }

@@ -2,8 +2,8 @@ using System.CommandLine;
 using System.CommandLine.Parsing;
 using NeuronMocap.Protocol;
 using NeuronMocap.Tool.Arguments;
+using NeuronMocap.Tool.Output;
 using NeuronMocap.Tool.Terminal;
-using NeuronMocap.Tool.Watch;
 
 namespace NeuronMocap.Tool.Diagnose;
 
@@ -14,7 +14,7 @@ internal sealed class DiagnoseVerb : Verb
     private const double Shortest = 1;
     private const double Longest = 300;
 
-    private readonly SourceArgument _source = new("What to diagnose", "this computer, TCP port 7001");
+    private readonly SourceArgument _source = new("What to diagnose", Source.ConnectionForms, "this computer, TCP port 7001");
     private readonly ConnectionArguments _connection = new();
     private readonly Option<bool> _json = CommonOptions.Json("Print every step and the result as one JSON object a line.");
     private readonly Option<bool> _quiet = new("--quiet") { Description = "Print only the result, as one JSON object." };
@@ -42,7 +42,7 @@ internal sealed class DiagnoseVerb : Verb
     public DiagnoseVerb()
         : base(
             "diagnose",
-            "Check a stream once, step by step, and report what is wrong and which setting of Axis Neuron or Axis Studio to change. It takes 10 seconds at most.")
+            "Check a stream once, step by step, and report what is wrong and which setting of Axis Neuron or Axis Studio to change. It takes 10 seconds at most, or as long as --duration allows.")
     {
         Add(_source);
         AddOptions("Output", _json, _quiet, _duration);
@@ -60,29 +60,22 @@ internal sealed class DiagnoseVerb : Verb
 
     public override IReadOnlyList<(int Code, string Meaning)> ExitCodes { get; } =
     [
-        (CommandLine.Done, "frames arrive"),
-        (CommandLine.NothingReceived, "no frames arrive"),
-        (CommandLine.Interrupted, "ended by Ctrl+C or SIGTERM before the result"),
+        (ToolCommand.Done, "frames arrive"),
+        (ToolCommand.NothingReceived, "no frames arrive"),
+        (ToolCommand.Interrupted, "ended by Ctrl+C or SIGTERM before the result"),
     ];
 
     public override async Task<int> RunAsync(ParseResult result, StandardStreams streams, CancellationToken cancellationToken)
     {
         Source source = result.GetValue(_source) ?? Source.OfServer(new ServerAddress(ThisComputer, ProtocolConstants.DefaultPort));
-        var options = new WatchOptions
-        {
-            Server = source.Kind == SourceKind.Udp ? result.GetValue(_server) ?? new ServerAddress(ThisComputer, ProtocolConstants.DefaultPort) : source.Server,
-            UdpPort = source.UdpPort,
-            LocalAddress = result.GetValue(_connection.LocalAddress) ?? source.LocalAddress,
-            AllowedSenders = result.GetValue(_connection.AllowSender) ?? [],
-            CommandPort = result.GetValue(_connection.CommandPort),
-            CalculationPort = result.GetValue(_connection.CalculationPort),
-            RotationOrder = result.GetValue(_order),
-            Duration = result.GetValue(_duration),
-            Output = result.GetValue(_json) ? OutputKind.Json : result.GetValue(_quiet) ? OutputKind.Quiet : OutputKind.Person,
-        };
+        ConnectionOptions options = _connection.Read(result, source) with { RotationOrder = result.GetValue(_order), Duration = result.GetValue(_duration) };
+        if (source.Kind == SourceKind.Udp)
+            options = options with { Server = result.GetValue(_server) ?? new ServerAddress(ThisComputer, ProtocolConstants.DefaultPort) };
+
+        OutputKind output = result.GetValue(_json) ? OutputKind.Json : result.GetValue(_quiet) ? OutputKind.Quiet : OutputKind.Person;
         return options.FindFault() is { } fault
             ? await RefuseAsync(streams, fault)
-            : await new DiagnosisRun(options, streams).RunAsync(cancellationToken);
+            : await new DiagnosisRun(options, output, streams).RunAsync(cancellationToken);
     }
 
     private void Reject(CommandResult result)
@@ -91,7 +84,7 @@ internal sealed class DiagnoseVerb : Verb
         Source source = _source.Find(result) ?? Source.OfServer(default);
         if (source.Kind == SourceKind.File)
         {
-            result.AddError($"'{source}' is a file and has no connection to diagnose; {CommandLine.Name} info {source} shows its contents.");
+            result.AddError($"'{source}' is a file and has no connection to diagnose; {ToolCommand.Name} info {source} shows its contents.");
             return;
         }
 

@@ -4,12 +4,11 @@ using NeuronMocap.Tool.Arguments;
 using NeuronMocap.Tool.Files;
 using NeuronMocap.Tool.Output;
 using NeuronMocap.Tool.Terminal;
-using NeuronMocap.Tool.Watch;
 
 namespace NeuronMocap.Tool.Diagnose;
 
 /// <summary>Diagnoses the stream once.</summary>
-internal sealed class DiagnosisRun(WatchOptions options, StandardStreams streams)
+internal sealed class DiagnosisRun(ConnectionOptions options, OutputKind kind, StandardStreams streams)
 {
     public async Task<int> RunAsync(CancellationToken cancellationToken)
     {
@@ -24,13 +23,13 @@ internal sealed class DiagnosisRun(WatchOptions options, StandardStreams streams
         }
         catch (OperationCanceledException)
         {
-            return CommandLine.Interrupted;
+            return ToolCommand.Interrupted;
         }
         catch (IOException exception)
         {
             // The program that reads the output may close it at any time.
-            return WatchOutput.IsBrokenPipe(exception)
-                ? CommandLine.Interrupted
+            return StandardStreams.IsBrokenPipe(exception)
+                ? ToolCommand.Interrupted
                 : await FailAsync(FileFault.OfStandardOutput(exception));
         }
     }
@@ -45,13 +44,13 @@ internal sealed class DiagnosisRun(WatchOptions options, StandardStreams streams
         DiagnosisOutput output = CreateOutput(reader);
         StreamDiagnosis diagnosis = await NeuronDiagnostics.DiagnoseAsync(reader, how, output, cancellationToken);
         output.Finish(diagnosis);
-        return diagnosis.IsReceiving ? CommandLine.Done : CommandLine.NothingReceived;
+        return diagnosis.IsReceiving ? ToolCommand.Done : ToolCommand.NothingReceived;
     }
 
     private DiagnosisOutput CreateOutput(NeuronReaderOptions reader)
     {
-        if (options.Output != OutputKind.Person)
-            return new JsonDiagnosis(streams.Output, quiet: options.Output == OutputKind.Quiet);
+        if (kind != OutputKind.Person)
+            return new JsonDiagnosis(streams.Output, quiet: kind == OutputKind.Quiet);
 
         var output = new TextDiagnosis(streams);
         output.Begin(reader.Transport == TransportKind.Udp
@@ -63,6 +62,6 @@ internal sealed class DiagnosisRun(WatchOptions options, StandardStreams streams
     private async Task<int> FailAsync(string message)
     {
         await streams.ComplainAsync(message);
-        return CommandLine.NothingReceived;
+        return ToolCommand.NothingReceived;
     }
 }

@@ -1,5 +1,4 @@
 using NeuronMocap.Diagnostics;
-using NeuronMocap.Tool.Arguments;
 using NeuronMocap.Tool.Terminal;
 using Spectre.Console;
 

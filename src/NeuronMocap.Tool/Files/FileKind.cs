@@ -20,6 +20,9 @@ internal static class FileKinds
 {
     private const int LookedAt = 64 * 1024;
 
+    /// <summary>The extensions of files that the program reads and writes, in lower case.</summary>
+    public static IReadOnlyList<string> Extensions { get; } = [".bvh", ".nmrec", ".calc", ".bin", ".dat"];
+
     private static readonly string[] BvhWords = ["HIERARCHY", "MOTION", "CHANNELS"];
 
     /// <summary>Determines the kind of a file by its contents.</summary>

@@ -1,7 +1,3 @@
-using NeuronMocap.Tool.Convert;
-using NeuronMocap.Tool.Info;
-using NeuronMocap.Tool.Output;
-using NeuronMocap.Tool.Plot;
 using NeuronMocap.Tool.Terminal;
 
 namespace NeuronMocap.Tool.Files;
@@ -12,25 +8,29 @@ internal sealed class FileRun(FileSettings settings, StandardStreams streams)
     // Time-out for work that checks for cancellation. Work that does not, such as a read from a disk that hangs, is abandoned.
     private static readonly TimeSpan StopTimeout = TimeSpan.FromSeconds(2);
 
-    public async Task<int> RunAsync(CancellationToken cancellationToken)
+    /// <summary>Runs the work on another thread, and reports its faults.</summary>
+    /// <param name="work">The work. It receives the file to write; null if there is none.</param>
+    /// <param name="cancellationToken">Cancelled by Ctrl+C and by anything else that ends the program.</param>
+    /// <returns>The exit code.</returns>
+    public async Task<int> RunAsync(Action<OutputFile?, CancellationToken> work, CancellationToken cancellationToken)
     {
         using OutputFile? output = settings.Output is { } path ? new OutputFile(path, settings.Overwrite) : null;
         try
         {
-            Task work = Task.Run(() => Run(output, cancellationToken), CancellationToken.None);
-            await Task.WhenAny(work, WaitForEndAsync(cancellationToken));
-            if (!work.IsCompleted)
+            Task task = Task.Run(() => work(output, cancellationToken), CancellationToken.None);
+            await Task.WhenAny(task, WaitForEndAsync(cancellationToken));
+            if (!task.IsCompleted)
             {
                 ProgressLine.Abandon(streams);
-                return CommandLine.Interrupted;
+                return ToolCommand.Interrupted;
             }
 
-            await work;
-            return CommandLine.Done;
+            await task;
+            return ToolCommand.Done;
         }
         catch (OperationCanceledException)
         {
-            return CommandLine.Interrupted;
+            return ToolCommand.Interrupted;
         }
         catch (Exception exception) when (exception is NeuronException or UnauthorizedAccessException or NotSupportedException)
         {
@@ -43,12 +43,12 @@ internal sealed class FileRun(FileSettings settings, StandardStreams streams)
         catch (IOException exception)
         {
             // The program that reads the output may close it at any time.
-            return WatchOutput.IsBrokenPipe(exception) ? CommandLine.Done : await FailAsync(Describe(exception));
+            return StandardStreams.IsBrokenPipe(exception) ? ToolCommand.Done : await FailAsync(Describe(exception));
         }
     }
 
-    // For info, only its page goes to standard output. A file that is written has already described its own fault.
-    private string Describe(IOException exception) => settings.Task == FileTask.Info && FileFault.IsDiskFull(exception)
+    // A run without a file writes to standard output. A file that is written has already described its own fault.
+    private string Describe(IOException exception) => settings.Output is null && FileFault.IsDiskFull(exception)
         ? FileFault.OfStandardOutput(exception)
         : FileFault.OfReading(exception, settings.Input);
 
@@ -58,25 +58,9 @@ internal sealed class FileRun(FileSettings settings, StandardStreams streams)
         await Task.Delay(StopTimeout, CancellationToken.None);
     }
 
-    private void Run(OutputFile? output, CancellationToken cancellationToken)
-    {
-        switch (settings.Task)
-        {
-            case FileTask.Info:
-                new InfoTool(settings, streams).Run(cancellationToken);
-                break;
-            case FileTask.Plot:
-                new PlotTool(settings, streams).Run(output!, cancellationToken);
-                break;
-            default:
-                new ConvertTool(settings, streams).Run(output!, cancellationToken);
-                break;
-        }
-    }
-
     private async Task<int> FailAsync(string message)
     {
         await streams.ComplainAsync(message);
-        return CommandLine.NothingReceived;
+        return ToolCommand.NothingReceived;
     }
 }

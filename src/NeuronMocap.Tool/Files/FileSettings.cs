@@ -4,24 +4,10 @@ using NeuronMocap.Tool.Terminal;
 
 namespace NeuronMocap.Tool.Files;
 
-/// <summary>The tasks for files.</summary>
-internal enum FileTask
-{
-    /// <summary>Describe the contents.</summary>
-    Info,
-
-    /// <summary>Convert to another kind of file.</summary>
-    Convert,
-
-    /// <summary>Draw a plot.</summary>
-    Plot,
-}
-
 /// <summary>Settings of the verbs for files.</summary>
-/// <param name="Task">The task.</param>
 /// <param name="Input">The file to read.</param>
-/// <param name="Output">The file to write; null for <see cref="FileTask.Info"/>.</param>
-internal sealed record FileSettings(FileTask Task, string Input, string? Output)
+/// <param name="Output">The file to write; null if none is written.</param>
+internal sealed record FileSettings(string Input, string? Output)
 {
     /// <summary>Whether an existing output may be replaced.</summary>
     public bool Overwrite { get; init; }
@@ -29,16 +15,11 @@ internal sealed record FileSettings(FileTask Task, string Input, string? Output)
     /// <summary>Index of the avatar in a recording; null for the first.</summary>
     public int? Avatar { get; init; }
 
-    /// <summary>
-    /// Rotation order. For convert, the order of the output; null for that of the input. For other tasks, the order of the input stream, see
-    /// <see cref="InputOrder"/>.
-    /// </summary>
-    public RotationOrder? RotationOrder { get; init; }
-
-    /// <summary>
-    /// For convert, the rotation order of the input stream, which streams do not carry. Null for the order that the file states, or YXZ.
-    /// </summary>
+    /// <summary>Rotation order of a stream in the input, which streams do not carry. Null for the order that the file states, or YXZ.</summary>
     public RotationOrder? InputOrder { get; init; }
+
+    /// <summary>Rotation order to write; null for that of the input.</summary>
+    public RotationOrder? OutputOrder { get; init; }
 
     /// <summary>Frame rate of the output in frames per second; null for that of the input.</summary>
     public double? FrameRate { get; init; }
@@ -59,7 +40,7 @@ internal sealed record FileSettings(FileTask Task, string Input, string? Output)
     public bool FollowsAnother { get; init; }
 
     /// <summary>Options for reading a stream in the input.</summary>
-    public PlaybackOptions Playback => new() { RotationOrder = Task == FileTask.Convert ? InputOrder : RotationOrder, FrameRate = InputRate };
+    public PlaybackOptions Playback => new() { RotationOrder = InputOrder, FrameRate = InputRate };
 
     /// <summary>Options for reading a calculation export in the input.</summary>
     public CalculationReadOptions Calculation => new() { FrameRate = InputRate };
@@ -70,6 +51,9 @@ internal sealed record FileSettings(FileTask Task, string Input, string? Output)
         FrameRate = InputRate,
         Progress = new ReadProgress(new FileInfo(Input).Length, progress, cancellationToken),
     };
+
+    // A conversion also has an order to write.
+    private string OrderHint => Output is { } path && FileKinds.OfName(path) is not null ? " --output-order sets the order to write." : string.Empty;
 
     /// <summary>Determines the kind of the input.</summary>
     /// <exception cref="NeuronException">The input cannot be read, or not with these settings.</exception>
@@ -84,8 +68,8 @@ internal sealed record FileSettings(FileTask Task, string Input, string? Output)
         if (kind is FileKind.Recording or FileKind.Raw)
             return kind;
 
-        if (InputOrder is not null || (Task != FileTask.Convert && RotationOrder is not null))
-            throw new NeuronException($"{(InputOrder is null ? "--order" : "--input-order")}: {name} does not need it; the option is for streams, which do not carry their order.");
+        if (InputOrder is not null)
+            throw new NeuronException($"--order: {name} does not need it; the option is for streams, which do not carry their order.{OrderHint}");
         if (Avatar is not null)
             throw new NeuronException($"--avatar: {name} holds one avatar; --avatar is for streams.");
 

@@ -3,8 +3,8 @@ using System.Text.Json.Nodes;
 using NeuronMocap.Bvh;
 using NeuronMocap.Server;
 using NeuronMocap.Skeleton;
+using NeuronMocap.Tool.Figures;
 using NeuronMocap.Tool.Files;
-using NeuronMocap.Tool.Plot;
 using NeuronMocap.Tool.Terminal;
 
 namespace NeuronMocap.Tool.Info;

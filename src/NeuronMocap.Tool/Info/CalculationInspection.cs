@@ -1,8 +1,8 @@
 using System.Text.Json.Nodes;
 using NeuronMocap.Calculation;
 using NeuronMocap.Server;
+using NeuronMocap.Tool.Figures;
 using NeuronMocap.Tool.Files;
-using NeuronMocap.Tool.Plot;
 using NeuronMocap.Tool.Terminal;
 
 namespace NeuronMocap.Tool.Info;

@@ -7,7 +7,10 @@ namespace NeuronMocap.Tool.Info;
 /// <summary>Describes the contents of a file.</summary>
 internal sealed class InfoTool(FileSettings settings, StandardStreams streams)
 {
-    public void Run(CancellationToken cancellationToken)
+    /// <summary>Describes the file. Returns the exit code.</summary>
+    public Task<int> RunAsync(CancellationToken cancellationToken) => new FileRun(settings, streams).RunAsync((_, stop) => Run(stop), cancellationToken);
+
+    private void Run(CancellationToken cancellationToken)
     {
         InfoReport report;
         using (var progress = new ProgressLine(streams, $"reading {Path.GetFileName(settings.Input)}"))

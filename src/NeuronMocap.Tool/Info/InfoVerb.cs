@@ -17,9 +17,7 @@ internal sealed class InfoVerb : Verb
     private readonly Option<bool> _json = CommonOptions.Json("Print one JSON object a line, one line for each file.");
     private readonly Option<double?> _rate = CommonOptions.Rate();
     private readonly Option<int?> _avatar = CommonOptions.Avatar("For a recording: number of the avatar, from 0. Default: the first.");
-
-    private readonly Option<RotationOrder?> _order = CommonOptions.Order(
-        "--order", "For a recording or the bytes of a stream: its rotation order, if the file does not state it. Default: YXZ.");
+    private readonly Option<RotationOrder?> _order = CommonOptions.StreamOrder();
 
     public InfoVerb()
         : base("info", "Show the contents of files and what is unusual about them.")
@@ -37,31 +35,31 @@ internal sealed class InfoVerb : Verb
 
     public override IReadOnlyList<(int Code, string Meaning)> ExitCodes { get; } =
     [
-        (CommandLine.Done, "done"),
-        (CommandLine.NothingReceived, "a file could not be read; the others are shown"),
-        (CommandLine.Interrupted, "ended by Ctrl+C or SIGTERM"),
+        (ToolCommand.Done, "done"),
+        (ToolCommand.NothingReceived, "a file could not be read; the others are shown"),
+        (ToolCommand.Interrupted, "ended by Ctrl+C or SIGTERM"),
     ];
 
     public override async Task<int> RunAsync(ParseResult result, StandardStreams streams, CancellationToken cancellationToken)
     {
         bool isJson = result.GetValue(_json);
         string[] files = result.GetValue(_files)!;
-        int exitCode = CommandLine.Done;
+        int exitCode = ToolCommand.Done;
         bool isFirst = true;
         foreach (string file in files)
         {
-            var settings = new FileSettings(FileTask.Info, file, Output: null)
+            var settings = new FileSettings(file, Output: null)
             {
                 Json = isJson,
                 FollowsAnother = !isFirst,
                 InputRate = result.GetValue(_rate),
                 Avatar = result.GetValue(_avatar),
-                RotationOrder = result.GetValue(_order),
+                InputOrder = result.GetValue(_order),
             };
-            int ofFile = await new FileRun(settings, streams).RunAsync(cancellationToken);
-            isFirst &= ofFile != CommandLine.Done;
+            int ofFile = await new InfoTool(settings, streams).RunAsync(cancellationToken);
+            isFirst &= ofFile != ToolCommand.Done;
             exitCode = Math.Max(exitCode, ofFile);
-            if (ofFile == CommandLine.Interrupted)
+            if (ofFile == ToolCommand.Interrupted)
                 break;
         }
 

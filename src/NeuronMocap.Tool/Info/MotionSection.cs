@@ -1,6 +1,6 @@
 using System.Numerics;
 using System.Text.Json.Nodes;
-using NeuronMocap.Tool.Plot;
+using NeuronMocap.Tool.Figures;
 using NeuronMocap.Tool.Terminal;
 
 namespace NeuronMocap.Tool.Info;

@@ -1,6 +1,6 @@
 using System.Numerics;
 using NeuronMocap.Bvh;
-using NeuronMocap.Tool.Convert;
+using NeuronMocap.Tool.Figures;
 
 namespace NeuronMocap.Tool.Info;
 

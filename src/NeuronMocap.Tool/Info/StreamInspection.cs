@@ -1,8 +1,9 @@
 using System.Text.Json.Nodes;
 using NeuronMocap.Bvh;
 using NeuronMocap.Server;
+using NeuronMocap.Tool.Convert;
+using NeuronMocap.Tool.Figures;
 using NeuronMocap.Tool.Files;
-using NeuronMocap.Tool.Plot;
 using NeuronMocap.Tool.Terminal;
 
 namespace NeuronMocap.Tool.Info;

@@ -5,7 +5,7 @@ using System.Numerics;
 using System.Text.Json;
 using NeuronMocap.Diagnostics;
 using NeuronMocap.Skeleton;
-using NeuronMocap.Tool.Arguments;
+using NeuronMocap.Tool.Terminal;
 
 namespace NeuronMocap.Tool.Output;
 

@@ -1,4 +1,3 @@
-using NeuronMocap.Tool.Arguments;
 using NeuronMocap.Tool.Terminal;
 
 namespace NeuronMocap.Tool.Output;

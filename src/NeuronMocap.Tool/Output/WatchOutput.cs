@@ -1,3 +1,5 @@
+using NeuronMocap.Tool.Terminal;
+
 namespace NeuronMocap.Tool.Output;
 
 /// <summary>A format for arriving frames. Each format overrides only the methods that it needs.</summary>
@@ -41,15 +43,8 @@ internal abstract class WatchOutput
     /// </summary>
     protected void OnWriteFailed(IOException exception)
     {
-        if (!IsBrokenPipe(exception))
+        if (!StandardStreams.IsBrokenPipe(exception))
             Failure ??= exception;
-    }
-
-    /// <summary>Whether the output could not be written because its reader closed it.</summary>
-    public static bool IsBrokenPipe(IOException exception)
-    {
-        const int BrokenPipe = 32;
-        return exception.HResult == BrokenPipe;
     }
 
     protected static async Task Until(CancellationToken cancellationToken) =>

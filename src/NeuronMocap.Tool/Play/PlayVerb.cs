@@ -1,10 +1,10 @@
 using System.CommandLine;
 using System.CommandLine.Parsing;
 using NeuronMocap.Tool.Arguments;
-using NeuronMocap.Tool.Files;
 using NeuronMocap.Tool.Terminal;
 using NeuronMocap.Tool.Watch;
 using NeuronMocap.Tool.Watch.Export;
+using NeuronMocap.Tool.Watch.Playback;
 
 namespace NeuronMocap.Tool.Play;
 
@@ -18,12 +18,14 @@ internal sealed class PlayVerb : Verb
     };
 
     private readonly PlaybackArguments _playback = new();
-    private readonly OutputArguments _output = new();
+    private readonly OutputArguments _output = new(
+        "Print every frame as one JSON object a line, and a summary at the end. No frame is left out: the playback waits for a slow reader of the output.");
+
     private readonly Option<RotationOrder?> _order = CommonOptions.Order(
         "--order", "Rotation order, if the file does not state it. Default: the order that the file states, or YXZ.");
 
     private readonly Option<bool> _overwrite = CommonOptions.Overwrite("the file of --export");
-    private readonly ExportArguments _export = new();
+    private readonly ExportArguments _export = new("the file (displacement on)");
 
     public PlayVerb()
         : base("play", "Show a recording as if it arrived now. The keys of the live view pause it, move it and change its speed.")
@@ -45,17 +47,16 @@ internal sealed class PlayVerb : Verb
 
     public override IReadOnlyList<(int Code, string Meaning)> ExitCodes => WatchVerb.Codes;
 
-    public override (string Title, IReadOnlyList<string> Lines) Notes => WatchVerb.Keys;
+    public override (string Title, IReadOnlyList<string> Lines) Notes => LiveKeys.OfPlay;
 
     public override async Task<int> RunAsync(ParseResult result, StandardStreams streams, CancellationToken cancellationToken)
     {
-        WatchOptions options = _output.Read(result) with
+        WatchOptions options = _output.Read(result, new ConnectionOptions { RotationOrder = result.GetValue(_order) }) with
         {
             Play = _playback.Read(result, result.GetValue(_file)!),
-            RotationOrder = result.GetValue(_order),
             Export = _export.Read(result, result.GetValue(_overwrite)),
         };
-        return options.FindFault() is { } fault
+        return options.Connection.FindFault() is { } fault
             ? await RefuseAsync(streams, fault)
             : await new WatchRun(options, streams).RunAsync(cancellationToken);
     }

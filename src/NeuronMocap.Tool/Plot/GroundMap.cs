@@ -1,4 +1,5 @@
 using System.Numerics;
+using NeuronMocap.Tool.Figures;
 
 namespace NeuronMocap.Tool.Plot;
 

@@ -1,4 +1,4 @@
-using NeuronMocap.Tool.Watch.Live;
+using NeuronMocap.Tool.Figures;
 
 namespace NeuronMocap.Tool.Plot;
 

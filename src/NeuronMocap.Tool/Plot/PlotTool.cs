@@ -1,5 +1,6 @@
 using NeuronMocap.Bvh;
 using NeuronMocap.Tool.Convert;
+using NeuronMocap.Tool.Figures;
 using NeuronMocap.Tool.Files;
 using NeuronMocap.Tool.Terminal;
 
@@ -8,7 +9,10 @@ namespace NeuronMocap.Tool.Plot;
 /// <summary>Draws a plot of a file.</summary>
 internal sealed class PlotTool(FileSettings settings, StandardStreams streams)
 {
-    public void Run(OutputFile output, CancellationToken cancellationToken)
+    /// <summary>Draws the plot. Returns the exit code.</summary>
+    public Task<int> RunAsync(CancellationToken cancellationToken) => new FileRun(settings, streams).RunAsync((output, stop) => Run(output!, stop), cancellationToken);
+
+    private void Run(OutputFile output, CancellationToken cancellationToken)
     {
         FileKind kind = settings.RecognizeInput();
         output.Write(path => Draw(kind, path, cancellationToken));

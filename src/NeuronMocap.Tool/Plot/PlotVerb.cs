@@ -1,7 +1,6 @@
 using System.CommandLine;
 using System.CommandLine.Parsing;
 using NeuronMocap.Tool.Arguments;
-using NeuronMocap.Tool.Files;
 using NeuronMocap.Tool.Terminal;
 
 namespace NeuronMocap.Tool.Plot;
@@ -13,16 +12,13 @@ internal sealed class PlotVerb : Verb
 
     private readonly TakeArguments _take = new("OUT.svg", "The picture to write.");
 
-    private readonly Option<RotationOrder?> _order = CommonOptions.Order(
-        "--order", "For a recording or the bytes of a stream: its rotation order, if the file does not state it. Default: YXZ.");
-
     public PlotVerb()
         : base("plot", "Draw a file as a picture. It shows skeletons at regular times, the path over the ground, heights of the feet and speeds.")
     {
         foreach (Argument file in _take.Files)
             Add(file);
 
-        AddOptions("Options", [.. _take.Options, _order]);
+        AddOptions("Options", _take.Options);
         Validators.Add(Reject);
     }
 
@@ -35,7 +31,7 @@ internal sealed class PlotVerb : Verb
     public override IReadOnlyList<(int Code, string Meaning)> ExitCodes => TakeArguments.Codes;
 
     public override Task<int> RunAsync(ParseResult result, StandardStreams streams, CancellationToken cancellationToken) =>
-        new FileRun(_take.Read(result, FileTask.Plot) with { RotationOrder = result.GetValue(_order) }, streams).RunAsync(cancellationToken);
+        new PlotTool(_take.Read(result), streams).RunAsync(cancellationToken);
 
     private void Reject(CommandResult result)
     {

@@ -1,5 +1,5 @@
 using System.Numerics;
-using NeuronMocap.Tool.Watch.Live;
+using NeuronMocap.Tool.Figures;
 
 namespace NeuronMocap.Tool.Plot;
 

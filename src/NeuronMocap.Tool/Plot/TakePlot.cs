@@ -1,3 +1,4 @@
+using NeuronMocap.Tool.Figures;
 using NeuronMocap.Tool.Terminal;
 
 namespace NeuronMocap.Tool.Plot;

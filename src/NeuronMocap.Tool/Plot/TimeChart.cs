@@ -1,3 +1,5 @@
+using NeuronMocap.Tool.Figures;
+
 namespace NeuronMocap.Tool.Plot;
 
 /// <summary>A line of a chart.</summary>

@@ -37,9 +37,10 @@ internal sealed class SimulateArguments
         Decimals.CustomParser = ParseNumber(0, TextEncoder.MaxDecimals);
         Motion.CustomParser = ParseWord<OnOff>(OnOffWords);
         CalculationPort.CustomParser = ParsePort(ProtocolConstants.DefaultCalculationPort);
-        Commands.CustomParser = ParsePort(ProtocolConstants.DefaultCommandPort);
+        CommandPort.CustomParser = ParsePort(ProtocolConstants.DefaultCommandPort);
         DataCommands.CustomParser = ParseWord<OnOff>(OnOffWords);
         Bind.Aliases.Add("--local-address");
+        CommandPort.Aliases.Add("--commands");
         foreach ((Option option, string[] words) in (IEnumerable<(Option, string[])>)
             [
                 (Order, Enum.GetNames<RotationOrder>()), (Displacement, OnOffWords), (Reference, OnOffWords), (Motion, OnOffWords), (DataCommands, OnOffWords),
@@ -56,7 +57,7 @@ internal sealed class SimulateArguments
     public IReadOnlyList<(string Title, Option[] Options)> Sections =>
     [
         ("What is sent", [Synthetic, Bvh, Calc, .. Play.All, Avatars, Rate, Frames, Loop]),
-        ("Where it is sent", [Port, Bind, Udp, CalculationPort, WaitForClient, Commands, DataCommands, Fragment]),
+        ("Where it is sent", [Port, Bind, Udp, CalculationPort, WaitForClient, CommandPort, DataCommands, Fragment]),
         ("How it is sent", [Format, Header, Order, Displacement, Reference, Calculation, Motion, Decimals]),
     ];
 
@@ -112,7 +113,7 @@ internal sealed class SimulateArguments
         Description = "Frames of each avatar to send, at least 1. Default: all.",
     };
 
-    public Option<bool> Loop { get; } = new("--loop") { Description = "Repeat a finite take." };
+    public Option<bool> Loop { get; } = new("--loop") { Description = "Repeat the file." };
 
     public Option<bool> WaitForClient { get; } = new("--wait-for-client")
     {
@@ -188,7 +189,7 @@ internal sealed class SimulateArguments
         Description = "Answer commands of the b11 and b12 libraries on the data connection; newer servers do not. Default: on.",
     };
 
-    public Option<int?> Commands { get; } = new("--commands")
+    public Option<int?> CommandPort { get; } = new("--command-port")
     {
         HelpName = "PORT",
         Description = "Also open a command channel on this TCP port, 0 to 65535: rotation order, bone sizes, BVH headers and zero-out. "
@@ -224,7 +225,8 @@ internal sealed class SimulateArguments
         return null;
     };
 
-    private static string? NameOf(ArgumentResult result) => (result.Parent as OptionResult)?.Option.Name;
+    // The name that the user typed.
+    private static string? NameOf(ArgumentResult result) => (result.Parent as OptionResult)?.IdentifierToken?.Value;
 
     private static double? ParseRate(ArgumentResult result)
     {
@@ -244,7 +246,7 @@ internal sealed class SimulateArguments
         if (IPAddress.TryParse(text, out IPAddress? address))
             return address;
 
-        result.AddError($"--bind: '{text}' is not an IP address.");
+        result.AddError($"{NameOf(result)}: '{text}' is not an IP address.");
         return null;
     }
 
@@ -271,15 +273,24 @@ internal sealed class SimulateArguments
         Play.RejectContradictions(
             result,
             [
-                Bvh, Calc, Synthetic, Avatars, Frames, Displacement, Reference, Order, Format, Header, Decimals, Calculation, Motion, DataCommands, Commands,
+                Bvh, Calc, Synthetic, Avatars, Frames, Displacement, Reference, Order, Format, Header, Decimals, Calculation, Motion, DataCommands, CommandPort,
             ]);
-        if (result.GetResult(CalculationPort) is not null && result.GetResult(Motion)?.Tokens is [{ Value: var motion }]
-            && motion.Equals("off", StringComparison.OrdinalIgnoreCase))
-        {
-            result.AddError("--motion off sends only calculation data to --port and --udp: leave out --calculation-port.");
-        }
+        if (result.GetResult(Motion)?.Tokens is [{ Value: var motion }] && motion.Equals(nameof(OnOff.Off), StringComparison.OrdinalIgnoreCase))
+            RejectForMotion(result);
 
+        if (Verb.IsGiven(result, Loop) && !Play.IsGiven(result) && !Verb.IsGiven(result, Bvh) && !Verb.IsGiven(result, Calc))
+            result.AddError("--loop needs --bvh, --calc or --play: the synthetic actor has no end.");
+        if (Verb.IsGiven(result, DataCommands) && Verb.IsGiven(result, Udp) && !Verb.IsGiven(result, Port))
+            result.AddError("--data-commands needs a TCP port: give --port as well as --udp.");
         if (result.GetResult(WaitForClient) is not null && result.GetResult(Udp) is not null && result.GetResult(Port) is null)
             result.AddError("--wait-for-client waits for a TCP client: give --port as well as --udp.");
+    }
+
+    private void RejectForMotion(CommandResult result)
+    {
+        if (Verb.IsGiven(result, CalculationPort))
+            result.AddError("--motion off sends only calculation data to --port and --udp: leave out --calculation-port.");
+        foreach (Option option in ((Option[])[Displacement, Reference]).Where(option => Verb.IsGiven(result, option)))
+            result.AddError($"--motion off and {option.Name} exclude each other: only motion packets hold these values.");
     }
 }

@@ -56,11 +56,11 @@ internal sealed class SimulateRun(SimulateArguments arguments, ParseResult resul
 
     private CommandServer? OpenCommands(Broadcaster broadcaster, BroadcasterOptions options)
     {
-        if (result.GetValue(arguments.Commands) is not { } port)
+        if (result.GetValue(arguments.CommandPort) is not { } port)
             return null;
 
         var server = new CommandServer(broadcaster, new CommandServerOptions { Port = port, BindAddress = options.BindAddress });
-        server.Failed += exception => streams.Complain($"--commands: a command could not be answered: {exception.Message.ReplaceLineEndings(" ")}");
+        server.Failed += exception => streams.Complain($"--command-port: a command could not be answered: {exception.Message.ReplaceLineEndings(" ")}");
         try
         {
             server.Start();

@@ -26,14 +26,14 @@ internal sealed class SimulateVerb : Verb
         new("simulate --calc take_Char00.calc --calculation --loop", "a calculation export: poses computed from it, and its own values"),
         new("simulate --calculation-port", "motion on port 7001 and calculation on port 7003, as servers normally send them"),
         new("simulate --format text --rate 1", "lines of text; read them with nc 127.0.0.1 7001"),
-        new("simulate --commands", "with a command channel on port 8013: the verb command shows what it answers"),
+        new("simulate --command-port", "with a command channel on port 8013: the verb command shows what it answers"),
     ];
 
     public override IReadOnlyList<(int Code, string Meaning)> ExitCodes { get; } =
     [
-        (CommandLine.Done, "done, or stopped by Ctrl+C or SIGTERM"),
-        (CommandLine.NothingReceived, "a port, an address or a file is not available"),
-        (CommandLine.Interrupted, "ended by Ctrl+C or SIGTERM before it began"),
+        (ToolCommand.Done, "done, or stopped by Ctrl+C or SIGTERM"),
+        (ToolCommand.NothingReceived, "a port, an address or a file is not available"),
+        (ToolCommand.Interrupted, "ended by Ctrl+C or SIGTERM before it began"),
     ];
 
     public override async Task<int> RunAsync(ParseResult result, StandardStreams streams, CancellationToken cancellationToken)
@@ -41,7 +41,7 @@ internal sealed class SimulateVerb : Verb
         try
         {
             await new SimulateRun(_arguments, result, streams).RunAsync(cancellationToken);
-            return CommandLine.Done;
+            return ToolCommand.Done;
         }
         catch (UsageException exception)
         {
@@ -50,11 +50,11 @@ internal sealed class SimulateVerb : Verb
         catch (SimulatorException exception)
         {
             await streams.ComplainAsync(exception.Message.ReplaceLineEndings(" "));
-            return CommandLine.NothingReceived;
+            return ToolCommand.NothingReceived;
         }
         catch (OperationCanceledException)
         {
-            return CommandLine.Interrupted;
+            return ToolCommand.Interrupted;
         }
     }
 }

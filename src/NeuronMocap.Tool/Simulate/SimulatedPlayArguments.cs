@@ -2,6 +2,7 @@ using System.CommandLine;
 using System.CommandLine.Parsing;
 using System.Globalization;
 using NeuronMocap.Recording;
+using NeuronMocap.Tool.Arguments;
 
 namespace NeuronMocap.Tool.Simulate;
 
@@ -23,6 +24,9 @@ internal sealed class SimulatedPlayArguments
     };
 
     public Option[] All => [_play, _speed];
+
+    /// <summary>Whether the source is a recording.</summary>
+    public bool IsGiven(CommandResult result) => Verb.IsGiven(result, _play);
 
     /// <summary>Adds an error for every option that contradicts another one.</summary>
     /// <param name="result">The command line.</param>
@@ -83,7 +87,7 @@ internal sealed class SimulatedPlayArguments
         if (double.TryParse(text, NumberStyles.AllowDecimalPoint, CultureInfo.InvariantCulture, out double speed) && speed is >= 0.01 and <= 100)
             return speed;
 
-        result.AddError($"--speed: '{text}' is not a number from 0.01 to 100.");
+        result.AddError($"--speed: '{text}' is not a number from 0.01 to 100; --rate max sends as fast as clients read.");
         return null;
     }
 }

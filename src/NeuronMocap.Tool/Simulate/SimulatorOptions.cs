@@ -25,8 +25,8 @@ internal static class SimulatorOptions
         bool calculation = result.GetValue(arguments.Calculation) || calculationPort is not null || !motion;
         int? port = result.GetValue(arguments.Port) ?? (udp.Length > 0 ? null : ProtocolConstants.DefaultPort);
         CheckFormat(arguments, result, format);
-        int? commands = result.GetResult(arguments.Commands) is null ? null : result.GetValue(arguments.Commands);
-        CheckPorts(("--port", port), ("--calculation-port", port is null ? null : calculationPort), ("--commands", commands));
+        int? commands = result.GetResult(arguments.CommandPort) is null ? null : result.GetValue(arguments.CommandPort);
+        CheckPorts(("--port", port), ("--calculation-port", port is null ? null : calculationPort), ("--command-port", commands));
         return new BroadcasterOptions
         {
             Sources = sources.Avatars,

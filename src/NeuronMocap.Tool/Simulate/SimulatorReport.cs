@@ -2,7 +2,6 @@ using System.Globalization;
 using System.Net;
 using NeuronMocap.Server;
 using NeuronMocap.Tool.Files;
-using NeuronMocap.Tool.Output;
 using NeuronMocap.Tool.Terminal;
 using Spectre.Console;
 
@@ -79,7 +78,7 @@ internal sealed class SimulatorReport(
         {
             _page.WriteLine(line);
         }
-        catch (IOException exception) when (WatchOutput.IsBrokenPipe(exception))
+        catch (IOException exception) when (StandardStreams.IsBrokenPipe(exception))
         {
             _isOutputClosed = true;
         }

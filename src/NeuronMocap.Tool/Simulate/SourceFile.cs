@@ -19,7 +19,7 @@ internal static class SourceFile
         }
         catch (NeuronException exception)
         {
-            throw new SimulatorException($"{option}: {exception.Message}");
+            throw new SimulatorException($"{option}: {exception.Message}{SuggestOption(option, file)}");
         }
         catch (UnauthorizedAccessException)
         {
@@ -28,6 +28,25 @@ internal static class SourceFile
         catch (IOException exception)
         {
             throw new SimulatorException($"{option}: {FileFault.OfReading(exception, file.ToString())}");
+        }
+    }
+
+    // The file may be of a kind that another option plays.
+    private static string SuggestOption(string option, FileInfo file)
+    {
+        try
+        {
+            string fitting = FileKinds.Recognize(file.FullName) switch
+            {
+                FileKind.Bvh => "--bvh",
+                FileKind.Calculation => "--calc",
+                _ => "--play",
+            };
+            return fitting.Equals(option, StringComparison.Ordinal) ? string.Empty : $" {fitting} plays this file.";
+        }
+        catch (Exception exception) when (exception is NeuronException or IOException or UnauthorizedAccessException)
+        {
+            return string.Empty;
         }
     }
 

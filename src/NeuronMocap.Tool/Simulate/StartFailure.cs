@@ -25,7 +25,7 @@ internal static class StartFailure
     /// <param name="port">The port of the command channel.</param>
     /// <param name="address">The address to listen on.</param>
     public static string DescribeCommands(BroadcasterException exception, int port, IPAddress address) =>
-        exception.Setting is nameof(CommandServerOptions.Port) ? DescribePort("--commands", port, address, exception) : DescribeAddress(address, exception);
+        exception.Setting is nameof(CommandServerOptions.Port) ? DescribePort("--command-port", port, address, exception) : DescribeAddress(address, exception);
 
     private static string DescribePort(string option, int? port, IPAddress address, BroadcasterException exception) =>
         CodeOf(exception) == SocketError.AccessDenied

@@ -1,4 +1,3 @@
-using NeuronMocap.Tool.Watch.Live;
 using Spectre.Console;
 
 namespace NeuronMocap.Tool.Terminal;
@@ -25,13 +24,6 @@ internal static class Palette
     public static Style WarningStyle { get; } = new(Warning);
 
     public static Style StrongStyle { get; } = new(decoration: Decoration.Bold);
-
-    public static Color Of(BodyPart part) => part switch
-    {
-        BodyPart.Left => Left,
-        BodyPart.Right => Right,
-        _ => Middle,
-    };
 
     public static Color Of(ConnectionState state) => state switch
     {

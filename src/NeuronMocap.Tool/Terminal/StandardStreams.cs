@@ -22,7 +22,7 @@ internal sealed record StandardStreams(Stream Output, TextWriter Error, bool IsT
     /// <summary>Characters in a line, as the terminal reports them.</summary>
     public int Columns { get; init; }
 
-    public static StandardStreams Open() => new(OpenOutput(), Console.Error, IsTerminal: !Console.IsOutputRedirected)
+    public static StandardStreams Open() => new(OpenOutput(), new UnfailingWriter(Console.Error), IsTerminal: !Console.IsOutputRedirected)
     {
         IsErrorTerminal = !Console.IsErrorRedirected && Screen.CanMoveCursor(Console.Error),
         Columns = Console.IsOutputRedirected ? 0 : Screen.Width,
@@ -39,9 +39,16 @@ internal sealed record StandardStreams(Stream Output, TextWriter Error, bool IsT
     /// <inheritdoc cref="Complain"/>
     public Task ComplainAsync(string message) => Error.WriteLineAsync(LineOf(message));
 
+    /// <summary>Whether the output could not be written because its reader closed it.</summary>
+    public static bool IsBrokenPipe(IOException exception)
+    {
+        const int BrokenPipe = 32;
+        return exception.HResult == BrokenPipe;
+    }
+
     public void Dispose() => Output.Dispose();
 
-    private static string LineOf(string message) => $"{CommandLine.Name}: {TerminalText.Clean(message)}";
+    private static string LineOf(string message) => $"{ToolCommand.Name}: {TerminalText.Clean(message)}";
 
     // The console's own stream silently ignores a broken pipe, so `neuron-mocap watch --json | head -1` would never end. A FileStream throws. A
     // regular file cannot break, and a FileStream would not move the position that the shell shares with the next program.

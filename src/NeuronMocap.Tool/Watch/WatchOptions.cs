@@ -1,67 +1,25 @@
-using System.Net;
 using NeuronMocap.Tool.Arguments;
-using NeuronMocap.Tool.Play;
+using NeuronMocap.Tool.Output;
 using NeuronMocap.Tool.Watch.Export;
+using NeuronMocap.Tool.Watch.Playback;
 using NeuronMocap.Tool.Watch.Recordings;
 
 namespace NeuronMocap.Tool.Watch;
 
-/// <summary>The formats of the output.</summary>
-internal enum OutputKind
-{
-    /// <summary>The live view on a terminal; otherwise one plain line a second.</summary>
-    Person,
-
-    /// <summary>Every frame and every change of the state, one JSON object a line.</summary>
-    Json,
-
-    /// <summary>One JSON object at the end.</summary>
-    Quiet,
-}
-
 /// <summary>Settings of a run, from the command line.</summary>
 internal sealed record WatchOptions
 {
-    private static readonly TimeSpan LongestSilence = TimeSpan.FromSeconds(3);
-    private static readonly TimeSpan LongestConnect = TimeSpan.FromSeconds(5);
-
-    /// <summary>The TCP server; null for UDP and for the demo.</summary>
-    public ServerAddress? Server { get; init; }
-
-    /// <summary>The UDP port; null for TCP and for the demo.</summary>
-    public int? UdpPort { get; init; }
-
-    /// <summary>Address of this computer to connect from or receive on; null for the system's choice.</summary>
-    public IPAddress? LocalAddress { get; init; }
-
-    /// <summary>Addresses that may send over UDP; empty for all.</summary>
-    public IReadOnlyList<IPAddress> AllowedSenders { get; init; } = [];
-
-    /// <summary>Whether a simulator inside this process is the server.</summary>
-    public bool IsDemo => Server is null && UdpPort is null && Play is null;
-
-    /// <summary>The source, as an argument of the command line.</summary>
-    public string Source => this switch
-    {
-        { Play: { } play } => play.File,
-        { UdpPort: { } port } => Arguments.Source.OfUdp(port, LocalAddress).ToString(),
-        { Server: { } server } => Arguments.Source.OfServer(server).ToString(),
-        _ => Arguments.Source.Demo.ToString(),
-    };
-
-    /// <summary>The rotation order. Null to detect it; the demo then uses YXZ.</summary>
-    public RotationOrder? RotationOrder { get; init; }
-
-    /// <summary>Port of the command channel, for information that the stream lacks; null for none.</summary>
-    public int? CommandPort { get; init; }
-
-    /// <summary>Port of additional calculation data; null for none.</summary>
-    public int? CalculationPort { get; init; }
+    /// <summary>The connection. For a file, only its rotation order and its duration have a meaning.</summary>
+    public ConnectionOptions Connection { get; init; } = new();
 
     /// <summary>The file to play; null for a server's stream.</summary>
     public PlaySettings? Play { get; init; }
 
-    public bool Once { get; init; }
+    /// <summary>Whether a simulator inside this process is the server.</summary>
+    public bool IsDemo => Play is null && Connection.IsDemo;
+
+    /// <summary>The source, as an argument of the command line.</summary>
+    public string Source => Play?.File ?? Connection.Source;
 
     /// <summary>The BVH file to write at the same time; null for none.</summary>
     public ExportSettings? Export { get; init; }
@@ -72,60 +30,5 @@ internal sealed record WatchOptions
     /// <summary>Number of motion and calculation frames after which the run ends; null for no limit.</summary>
     public long? Frames { get; init; }
 
-    /// <summary>Time after which the run ends. Null for no limit, or for the default time of a diagnosis.</summary>
-    public TimeSpan? Duration { get; init; }
-
     public OutputKind Output { get; init; }
-
-    /// <summary>
-    /// Finds values that are valid separately but not together, and describes the fault in words of this program. Null if there is none.
-    /// </summary>
-    public string? FindFault()
-    {
-        try
-        {
-            using var reader = new NeuronReader(ToReaderOptions(Server));
-            return null;
-        }
-        catch (ArgumentException fault)
-        {
-            return OptionNames.Translate(fault);
-        }
-    }
-
-    /// <summary>Creates the options of the reader.</summary>
-    /// <param name="server">The TCP server to connect to: <see cref="Server"/>, or the demo's.</param>
-    public NeuronReaderOptions ToReaderOptions(ServerAddress? server)
-    {
-        var options = new NeuronReaderOptions
-        {
-            RotationOrder = RotationOrder,
-            CommandPort = CommandPort,
-            CalculationPort = CalculationPort,
-            LocalAddress = IsDemo ? null : LocalAddress,
-            SilenceTimeout = WithinHalfOfDuration(LongestSilence),
-            ConnectTimeout = WithinHalfOfDuration(LongestConnect),
-            Reconnect = { Enabled = !Once },
-        };
-        if (UdpPort is { } port)
-        {
-            options.Transport = TransportKind.Udp;
-            options.Port = port;
-            options.AllowedSenders = AllowedSenders;
-        }
-
-        // Over UDP, the server is the computer on which a diagnosis looks for the stream if nothing arrives.
-        if (server is { } address)
-        {
-            options.Host = address.Host;
-            if (UdpPort is null)
-                options.Port = address.Port;
-        }
-
-        return options;
-    }
-
-    // In a short run, the normal time-out of the reader would come too late to describe the problem.
-    private TimeSpan WithinHalfOfDuration(TimeSpan longest) =>
-        TimeSpan.FromSeconds(Math.Clamp(Duration?.TotalSeconds / 2 ?? double.MaxValue, 0.1, longest.TotalSeconds));
 }

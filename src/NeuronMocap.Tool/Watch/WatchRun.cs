@@ -3,10 +3,10 @@ using NeuronMocap.Server;
 using NeuronMocap.Tool.Arguments;
 using NeuronMocap.Tool.Files;
 using NeuronMocap.Tool.Output;
-using NeuronMocap.Tool.Play;
 using NeuronMocap.Tool.Terminal;
 using NeuronMocap.Tool.Watch.Export;
 using NeuronMocap.Tool.Watch.Live;
+using NeuronMocap.Tool.Watch.Playback;
 using NeuronMocap.Tool.Watch.Recordings;
 
 namespace NeuronMocap.Tool.Watch;
@@ -23,8 +23,8 @@ internal sealed class WatchRun(WatchOptions options, StandardStreams streams)
         try
         {
             using RecordingPlayer? player = await OpenAsync(options.Play, cancellationToken);
-            using Broadcaster? demo = options.IsDemo ? Broadcaster.StartDemo(rotationOrder: options.RotationOrder ?? RotationOrder.YXZ) : null;
-            return await RunAsync(demo is null ? options.Server : ServerAddress.Of(demo.LocalEndPoint!), player, cancellationToken);
+            using Broadcaster? demo = options.IsDemo ? Broadcaster.StartDemo(rotationOrder: options.Connection.RotationOrder ?? RotationOrder.YXZ) : null;
+            return await RunAsync(demo is null ? options.Connection.Server : ServerAddress.Of(demo.LocalEndPoint!), player, cancellationToken);
         }
         catch (Exception exception) when (exception is BroadcasterException or ExportException or PlayException)
         {
@@ -32,18 +32,18 @@ internal sealed class WatchRun(WatchOptions options, StandardStreams streams)
         }
         catch (OperationCanceledException) when (cancellationToken.IsCancellationRequested)
         {
-            return CommandLine.Done;
+            return ToolCommand.Done;
         }
     }
 
     // A large file of bytes without times is read once when it is opened.
     private async Task<RecordingPlayer?> OpenAsync(PlaySettings? play, CancellationToken cancellationToken) => play is null
         ? null
-        : await Task.Run(() => play.Open(options.RotationOrder), CancellationToken.None).WaitAsync(cancellationToken);
+        : await Task.Run(() => play.Open(options.Connection.RotationOrder), CancellationToken.None).WaitAsync(cancellationToken);
 
     private async Task<int> RunAsync(ServerAddress? server, RecordingPlayer? player, CancellationToken cancellationToken)
     {
-        NeuronReaderOptions readerOptions = options.ToReaderOptions(server);
+        NeuronReaderOptions readerOptions = options.Connection.ToReaderOptions(server);
         await using NeuronReader reader = player is null ? new NeuronReader(readerOptions) : new NeuronReader(player, readerOptions);
         using ExportRun export = ExportRun.Begin(reader, options.Export, options.Frames);
         var takes = new TakeRecorder(reader, options.Recording);
@@ -53,7 +53,7 @@ internal sealed class WatchRun(WatchOptions options, StandardStreams streams)
         WatchOutput output = CreateOutput(reader, player, takes);
         Connect(reader, output);
 
-        using var durationSource = new CancellationTokenSource(options.Duration ?? Timeout.InfiniteTimeSpan);
+        using var durationSource = new CancellationTokenSource(options.Connection.Duration ?? Timeout.InfiniteTimeSpan);
         using var stopSource = CancellationTokenSource.CreateLinkedTokenSource(cancellationToken, durationSource.Token);
         reader.Start();
         Task showing = output.RunAsync(stopSource.Token);
@@ -73,13 +73,13 @@ internal sealed class WatchRun(WatchOptions options, StandardStreams streams)
         if (output.Failure is { } failure)
             return await FailAsync(FileFault.OfStandardOutput(failure));
         if (!isExported || !isRecorded)
-            return CommandLine.NothingReceived;
+            return ToolCommand.NothingReceived;
 
         // The lines of --json contain it.
         if (options.Output != OutputKind.Json && _failure.DescribeReceiving() is { } doubt)
             await streams.ComplainAsync(doubt);
         if (asked || TakeRecorder.CountFrames(statistics) > 0)
-            return CommandLine.Done;
+            return ToolCommand.Done;
 
         return await FailAsync(_failure.Describe(status, statistics));
     }
@@ -87,14 +87,14 @@ internal sealed class WatchRun(WatchOptions options, StandardStreams streams)
     private async Task<int> FailAsync(string message)
     {
         await streams.ComplainAsync(message);
-        return CommandLine.NothingReceived;
+        return ToolCommand.NothingReceived;
     }
 
     private WatchOutput CreateOutput(NeuronReader reader, RecordingPlayer? player, TakeRecorder takes) => options.Output switch
     {
         OutputKind.Json => new JsonOutput(streams.Output, options.Source),
         OutputKind.Quiet => new QuietOutput(streams.Output),
-        _ when streams.IsTerminal && Screen.IsSupported => new LiveOutput(reader, player, takes, options, streams.Output),
+        _ when streams.IsTerminal && Screen.IsSupported => new LiveOutput(reader, player, takes, options.Connection, streams.Output),
         _ => new LineOutput(reader, streams.Output),
     };
 

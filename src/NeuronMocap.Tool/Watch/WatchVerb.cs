@@ -1,10 +1,9 @@
 using System.CommandLine;
 using System.CommandLine.Parsing;
 using NeuronMocap.Tool.Arguments;
-using NeuronMocap.Tool.Files;
-using NeuronMocap.Tool.Play;
 using NeuronMocap.Tool.Terminal;
 using NeuronMocap.Tool.Watch.Export;
+using NeuronMocap.Tool.Watch.Playback;
 using NeuronMocap.Tool.Watch.Recordings;
 
 namespace NeuronMocap.Tool.Watch;
@@ -12,11 +11,14 @@ namespace NeuronMocap.Tool.Watch;
 /// <summary>neuron-mocap watch: shows the frames of a source.</summary>
 internal sealed class WatchVerb : Verb
 {
-    private readonly SourceArgument _source = new("What to receive from", "demo");
+    private readonly SourceArgument _source = new("What to receive from", Source.Forms, "demo");
     private readonly ConnectionArguments _connection = new();
     private readonly PlaybackArguments _playback = new();
-    private readonly OutputArguments _output = new();
-    private readonly ExportArguments _export = new();
+    private readonly OutputArguments _output = new(
+        "Print every frame and every change of the connection as one JSON object a line, and a summary at the end. No frame is left out: over TCP the server "
+            + "waits for a slow reader of the output.");
+
+    private readonly ExportArguments _export = new("the stream (displacement on), from the server's command channel");
     private readonly RecordingArguments _recording = new();
     private readonly Option<bool> _overwrite = CommonOptions.Overwrite("the files of --record and --export");
     private readonly Option<bool> _once = new("--once") { Description = "End when the connection ends or cannot be made, instead of trying again." };
@@ -44,19 +46,9 @@ internal sealed class WatchVerb : Verb
     /// <summary>The meaning of the exit codes of this verb and of play.</summary>
     public static IReadOnlyList<(int Code, string Meaning)> Codes { get; } =
     [
-        (CommandLine.Done, "success, or ended by q, Ctrl+C or SIGTERM"),
-        (CommandLine.NothingReceived, "nothing was received, or a file could not be read or written; standard error says which setting to check"),
+        (ToolCommand.Done, "success, or ended by q, Ctrl+C or SIGTERM"),
+        (ToolCommand.NothingReceived, "nothing was received, or a file could not be read or written; standard error says which setting to check"),
     ];
-
-    /// <summary>The keys of the live view.</summary>
-    public static (string Title, IReadOnlyList<string> Lines) Keys { get; } =
-    (
-        "Keys of the live view",
-        [
-            "q quit   r record on and off   space freeze   tab next avatar   b next bones   c clear counters   ? help",
-            "of a file: space pause   . , step   left, right 5 s back, forward   + - 0 speed",
-        ]
-    );
 
     public override IReadOnlyList<HelpExample> Examples { get; } =
     [
@@ -76,27 +68,20 @@ internal sealed class WatchVerb : Verb
 
     public override IReadOnlyList<(int Code, string Meaning)> ExitCodes => Codes;
 
-    public override (string Title, IReadOnlyList<string> Lines) Notes => Keys;
+    public override (string Title, IReadOnlyList<string> Lines) Notes => LiveKeys.OfWatch;
 
     public override async Task<int> RunAsync(ParseResult result, StandardStreams streams, CancellationToken cancellationToken)
     {
         bool overwrite = result.GetValue(_overwrite);
         Source source = result.GetValue(_source) ?? Source.Demo;
-        WatchOptions options = _output.Read(result) with
+        ConnectionOptions connection = _connection.Read(result, source) with { RotationOrder = result.GetValue(_order), Once = result.GetValue(_once) };
+        WatchOptions options = _output.Read(result, connection) with
         {
-            Server = source.Server,
-            UdpPort = source.UdpPort,
-            LocalAddress = result.GetValue(_connection.LocalAddress) ?? source.LocalAddress,
-            AllowedSenders = result.GetValue(_connection.AllowSender) ?? [],
-            CommandPort = result.GetValue(_connection.CommandPort),
-            CalculationPort = result.GetValue(_connection.CalculationPort),
-            RotationOrder = result.GetValue(_order),
-            Once = result.GetValue(_once),
             Play = source.File is { } file ? _playback.Read(result, file) : null,
             Recording = _recording.Read(result, overwrite),
             Export = _export.Read(result, overwrite),
         };
-        return options.FindFault() is { } fault
+        return options.Connection.FindFault() is { } fault
             ? await RefuseAsync(streams, fault)
             : await new WatchRun(options, streams).RunAsync(cancellationToken);
     }
@@ -123,7 +108,7 @@ internal sealed class WatchVerb : Verb
         if (IsGiven(result, _once))
             result.AddError("--once is for a connection: a file is read to its end.");
         if (IsGiven(result, _recording.File))
-            result.AddError($"--record: the source is already a file; {CommandLine.Name} convert copies it, or a part of it.");
+            result.AddError($"--record: the source is already a file; {ToolCommand.Name} convert copies it, or a part of it.");
 
         SameFile.Reject(result, ("SOURCE", file), _export.File);
     }

@@ -5,16 +5,27 @@ using NeuronMocap.Calculation;
 using NeuronMocap.Fuzz.Inputs;
 using NeuronMocap.Fuzz.Targets;
 using NeuronMocap.Recording;
+using NeuronMocap.Tool.Convert;
 using NeuronMocap.Tool.Files;
+using NeuronMocap.Tool.Info;
+using NeuronMocap.Tool.Plot;
 using NeuronMocap.Tool.Terminal;
 
 namespace NeuronMocap.Fuzz.Tools;
+
+/// <summary>The verbs that read files.</summary>
+internal enum FileVerb
+{
+    Info,
+    Convert,
+    Plot,
+}
 
 /// <summary>
 /// The input as a file that the monitor's file tools read. Their output can be read and has bounded length. Their messages can be shown on any
 /// terminal. A rejection is one sentence, and no files are left over.
 /// </summary>
-internal sealed class FileToolTarget(FileTask task)
+internal sealed class FileToolTarget(FileVerb verb)
 {
     private static readonly string[] Kinds = [".bvh", ".nmrec", ".calc", ".bin"];
     private static readonly double?[] Times = [null, null, null, 0, 0.01, 0.5, 1e9];
@@ -56,23 +67,23 @@ internal sealed class FileToolTarget(FileTask task)
 
     private FileSettings Choose(ref FuzzRandom random)
     {
-        string? output = task switch
+        string? output = verb switch
         {
-            FileTask.Info => null,
-            FileTask.Plot => _folder.OutputPath(".svg"),
+            FileVerb.Info => null,
+            FileVerb.Plot => _folder.OutputPath(".svg"),
             _ => _folder.OutputPath(random.Choose(Kinds)),
         };
-        var settings = new FileSettings(task, _folder.Input, output) { Overwrite = true, Json = task == FileTask.Info && random.Below(2) == 0 };
-        if (task == FileTask.Info)
+        var settings = new FileSettings(_folder.Input, output) { Overwrite = true, Json = verb == FileVerb.Info && random.Below(2) == 0 };
+        if (verb == FileVerb.Info)
             return settings;
 
         double? from = random.Choose(Times);
         double? to = random.Choose(Times);
         settings = settings with { From = from, To = to is null || to > (from ?? 0) ? to : null };
-        return task == FileTask.Plot ? settings : settings with
+        return verb == FileVerb.Plot ? settings : settings with
         {
             FrameRate = random.Choose(Rates),
-            RotationOrder = random.Below(4) == 0 ? random.Choose(Enum.GetValues<RotationOrder>()) : null,
+            OutputOrder = random.Below(4) == 0 ? random.Choose(Enum.GetValues<RotationOrder>()) : null,
         };
     }
 
@@ -82,7 +93,13 @@ internal sealed class FileToolTarget(FileTask task)
         using var output = new MemoryStream();
         using var error = new StringWriter();
         using var streams = new StandardStreams(output, error, IsTerminal: input.Random.Below(2) == 0) { Columns = 80 };
-        int code = new FileRun(settings, streams).RunAsync(_stop.Token).GetAwaiter().GetResult();
+        Task<int> run = verb switch
+        {
+            FileVerb.Info => new InfoTool(settings, streams).RunAsync(_stop.Token),
+            FileVerb.Plot => new PlotTool(settings, streams).RunAsync(_stop.Token),
+            _ => new ConvertTool(settings, streams).RunAsync(_stop.Token),
+        };
+        int code = run.GetAwaiter().GetResult();
         input.Digest.Add((long)code);
         if (code != 0)
         {
@@ -92,7 +109,7 @@ internal sealed class FileToolTarget(FileTask task)
 
         if (settings.Output is not { } path)
             CheckPage(output.GetBuffer().AsSpan(0, (int)output.Length), settings.Json, streams.IsTerminal);
-        else if (settings.Task == FileTask.Plot)
+        else if (verb == FileVerb.Plot)
             CheckDrawing(path);
         else
             CheckFile(path);

@@ -1,5 +1,4 @@
 using NeuronMocap.Fuzz.Inputs;
-using NeuronMocap.Tool.Files;
 
 namespace NeuronMocap.Fuzz.Tools;
 
@@ -8,9 +7,9 @@ internal static class ToolTargets
 {
     private const long Allocated = 48 * 1024 * 1024;
 
-    public static IReadOnlyList<FuzzTarget> All { get; } = [Create("info", FileTask.Info), Create("convert", FileTask.Convert), Create("plot", FileTask.Plot)];
+    public static IReadOnlyList<FuzzTarget> All { get; } = [Create("info", FileVerb.Info), Create("convert", FileVerb.Convert), Create("plot", FileVerb.Plot)];
 
-    private static FuzzTarget Create(string name, FileTask task)
+    private static FuzzTarget Create(string name, FileVerb task)
     {
         var target = new Lazy<FileToolTarget>(() => new FileToolTarget(task));
         return new FuzzTarget(name, CorpusKind.Files, () => target.Value.Run)

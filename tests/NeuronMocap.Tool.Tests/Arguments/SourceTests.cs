@@ -33,6 +33,35 @@ public sealed class SourceTests
         }
     }
 
+    [Fact]
+    public void A_word_that_differs_from_a_file_by_one_slip_is_refused_with_that_file()
+    {
+        string file = $"slip-{Guid.NewGuid():N}.bvh";
+        File.WriteAllText(file, string.Empty);
+        try
+        {
+            string word = file.Replace(".bvh", ".bvj", StringComparison.Ordinal);
+            Assert.False(Source.TryParse(word, out _, out string? error));
+            Assert.Equal($"there is no file '{word}': did you mean {file}? For a computer of that name, write tcp://{word}.", error);
+            Assert.Equal(SourceKind.Tcp, Parse($"tcp://{word}").Kind);
+        }
+        finally
+        {
+            File.Delete(file);
+        }
+    }
+
+    // Some domains differ from an extension in one letter.
+    [Theory]
+    [InlineData("studio.local")]
+    [InlineData("studio.in")]
+    [InlineData("studio.cat")]
+    [InlineData("studio.bid")]
+    [InlineData("studio.cal")]
+    [InlineData("192.168.1.20")]
+    [InlineData("take.bhv:7001")]
+    public void A_word_that_may_be_a_computer_is_one(string text) => Assert.Equal(SourceKind.Tcp, Parse(text).Kind);
+
     [Theory]
     [InlineData("demo")]
     [InlineData("DEMO")]

@@ -15,7 +15,7 @@ public sealed class ConvertEditTests : IDisposable
     public async Task BVH_files_are_cut_resampled_and_reordered()
     {
         Takes.Actor(240, rate: 120).Save(_folder["take.bvh"]);
-        await ConvertAsync(_folder["take.bvh"], _folder["part.bvh"], "--from", "0.5", "--to", "1.5", "--resample", "60", "--order", "ZYX");
+        await ConvertAsync(_folder["take.bvh"], _folder["part.bvh"], "--from", "0.5", "--to", "1.5", "--resample", "60", "--output-order", "ZYX");
         BvhDocument part = BvhDocument.Load(_folder["part.bvh"]);
 
         Assert.Equal((60, 60.0), (part.FrameCount, part.FrameRate));
@@ -90,17 +90,17 @@ public sealed class ConvertEditTests : IDisposable
         foreach (string input in (string[])["take.bvh", "take.nmrec", "take.bin"])
         {
             string output = _folder[input + ".bvh"];
-            await ConvertAsync(_folder[input], output, "--order", "XYZ");
+            await ConvertAsync(_folder[input], output, "--output-order", "XYZ");
             Assert.True(BvhSkeletonMap.TryCreate(BvhDocument.Load(output), out BvhSkeletonMap? map, out _));
             Assert.Equal(RotationOrder.XYZ, map.Format.RotationOrder);
             AssertSamePoses(BvhDocument.Load(_folder["take.bvh"]), BvhDocument.Load(output), static frame => frame);
         }
 
         await ConvertAsync(_folder["take.calc"], _folder["yxz.bvh"]);
-        await ConvertAsync(_folder["take.calc"], _folder["xyz.bvh"], "--order", "XYZ");
+        await ConvertAsync(_folder["take.calc"], _folder["xyz.bvh"], "--output-order", "XYZ");
         AssertSamePoses(BvhDocument.Load(_folder["yxz.bvh"]), BvhDocument.Load(_folder["xyz.bvh"]), static frame => frame);
 
-        await ConvertAsync(_folder["take.bvh"], _folder["zyx.nmrec"], "--order", "ZYX");
+        await ConvertAsync(_folder["take.bvh"], _folder["zyx.nmrec"], "--output-order", "ZYX");
         await ConvertAsync(_folder["zyx.nmrec"], _folder["zyx.bvh"]);
         AssertSamePoses(BvhDocument.Load(_folder["take.bvh"]), BvhDocument.Load(_folder["zyx.bvh"]), static frame => frame);
     }

@@ -10,12 +10,12 @@ public sealed class ConvertRefusalTests : IDisposable
     private readonly TemporaryFolder _folder = new();
 
     [Theory]
-    [InlineData("--order", "take.bvh", "b.calc")]
-    [InlineData("--order", "take.calc", "b.calc")]
-    [InlineData("--order", "take.calc", "b.nmrec")]
-    [InlineData("--input-order", "take.bvh", "b.nmrec")]
-    [InlineData("--input-order", "take.calc", "b.bvh")]
-    [InlineData("--input-order", "take.nmrec", "b.bin")]
+    [InlineData("--output-order", "take.bvh", "b.calc")]
+    [InlineData("--output-order", "take.calc", "b.calc")]
+    [InlineData("--output-order", "take.calc", "b.nmrec")]
+    [InlineData("--order", "take.bvh", "b.nmrec")]
+    [InlineData("--order", "take.calc", "b.bvh")]
+    [InlineData("--order", "take.nmrec", "b.bin")]
     public async Task Orders_without_effect_are_refused(string option, string input, string output)
     {
         Takes.Actor(10).Save(_folder["take.bvh"]);
@@ -29,7 +29,7 @@ public sealed class ConvertRefusalTests : IDisposable
 
     [Theory]
     [InlineData("--resample", "60")]
-    [InlineData("--order", "XYZ")]
+    [InlineData("--output-order", "XYZ")]
     [InlineData("--avatar", "0")]
     public async Task Options_that_would_change_copied_bytes_are_refused(string option, string value)
     {

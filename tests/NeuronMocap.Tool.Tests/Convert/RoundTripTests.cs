@@ -35,7 +35,7 @@ public sealed class RoundTripTests : IDisposable
     {
         Takes.Actor(60, order: RotationOrder.XYZ).Save(_folder["take.bvh"]);
         await ConvertAsync(_folder["take.bvh"], _folder["take.bin"]);
-        await ConvertAsync(_folder["take.bin"], _folder["back.bvh"], "--input-order", "xyz");
+        await ConvertAsync(_folder["take.bin"], _folder["back.bvh"], "--order", "xyz");
 
         Assert.Equal(Values(BvhDocument.Load(_folder["take.bvh"])), Values(BvhDocument.Load(_folder["back.bvh"])));
         Assert.True(BvhSkeletonMap.TryCreate(BvhDocument.Load(_folder["back.bvh"]), out BvhSkeletonMap? map, out _));

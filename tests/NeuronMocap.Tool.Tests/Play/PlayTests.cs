@@ -1,8 +1,8 @@
 using System.Text.Json;
 using NeuronMocap.Bvh;
 using NeuronMocap.Recording;
-using NeuronMocap.Tool.Play;
 using NeuronMocap.Tool.Tests.Infrastructure;
+using NeuronMocap.Tool.Watch.Playback;
 
 namespace NeuronMocap.Tool.Tests.Play;
 
@@ -112,7 +112,7 @@ public sealed class PlayTests : IDisposable
     [InlineData(1, "--play:", "--play", "no such file")]
     [InlineData(2, "--rate:", "--play", "FILE", "--rate", "60")]
     [InlineData(2, "--avatars", "--play", "FILE", "--avatars", "2")]
-    [InlineData(2, "--commands", "--play", "FILE", "--commands")]
+    [InlineData(2, "--command-port", "--play", "FILE", "--command-port")]
     [InlineData(2, "--bvh", "--play", "FILE", "--bvh", "x.bvh")]
     [InlineData(2, "--speed", "--speed", "2")]
     [InlineData(2, "--speed", "--play", "FILE", "--speed", "0")]

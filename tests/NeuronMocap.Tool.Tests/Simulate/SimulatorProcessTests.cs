@@ -28,12 +28,12 @@ public sealed class SimulatorProcessTests
     [InlineData("--decimals", "3")]
     [InlineData("--format", "text", "--decimals", "7")]
     [InlineData("--data-commands", "perhaps")]
-    [InlineData("--commands", "65536")]
-    [InlineData("--commands", "7001")]
-    [InlineData("--commands", "--port", "8013")]
+    [InlineData("--command-port", "65536")]
+    [InlineData("--command-port", "7001")]
+    [InlineData("--command-port", "--port", "8013")]
     [InlineData("--calculation-port", "65536")]
     [InlineData("--calculation-port", "--port", "7003")]
-    [InlineData("--calculation-port", "--commands", "7003")]
+    [InlineData("--calculation-port", "--command-port", "7003")]
     [InlineData("--calculation-port", "--motion", "off")]
     [InlineData("--calculation-port", "0", "--udp", "127.0.0.1:7002")]
     [InlineData("--motion", "perhaps")]
@@ -54,7 +54,7 @@ public sealed class SimulatorProcessTests
     {
         using var helper = new ToolProcess(Program, "--help");
         string help = await helper.Output.ReadToEndAsync(TestContext.Current.CancellationToken);
-        string[] options = [.. help.Split('\n').Where(static line => line.StartsWith("  --", StringComparison.Ordinal) && line.Contains('<', StringComparison.Ordinal)).Select(static line => line.Split(' ')[2])];
+        string[] options = [.. help.Split('\n').Where(static line => line.StartsWith("  --", StringComparison.Ordinal) && line.Contains('<', StringComparison.Ordinal)).Select(static line => line.Split(' ', ',')[2])];
         Assert.True(options.Length > 15, "The options are not found in the help.");
         foreach (string option in options)
         {
@@ -103,13 +103,13 @@ public sealed class SimulatorProcessTests
     {
         using var other = new TcpListener(IPAddress.Loopback, 0);
         other.Start();
-        await AssertFailsAsync("--commands", "--port", "0", "--commands", $"{((IPEndPoint)other.LocalEndpoint).Port}");
+        await AssertFailsAsync("--command-port", "--port", "0", "--command-port", $"{((IPEndPoint)other.LocalEndpoint).Port}");
     }
 
     [Fact]
     public async Task The_command_channel_is_announced_and_answers_watch()
     {
-        using var simulator = new ToolProcess(Program, "--port", "0", "--commands", "0", "--order", "XZY");
+        using var simulator = new ToolProcess(Program, "--port", "0", "--command-port", "0", "--order", "XZY");
         await ReadAddressAsync(simulator);
         string? line = await simulator.Output.ReadLineAsync(TestContext.Current.CancellationToken);
         Assert.StartsWith("Commands on ", line, StringComparison.Ordinal);

@@ -2,7 +2,6 @@ using System.CommandLine;
 using System.CommandLine.Parsing;
 using System.Globalization;
 using NeuronMocap.Tool.Arguments;
-using NeuronMocap.Tool.Files;
 
 namespace NeuronMocap.Tool.Watch.Export;
 
@@ -11,13 +10,7 @@ internal sealed class ExportArguments
 {
     private const string Everyone = "all";
 
-    private readonly Option<string?> _export = new("--export")
-    {
-        HelpName = "FILE.bvh",
-        Description = "Also write the motion frames to this BVH file. An existing file is an error unless --overwrite is given. "
-            + "The bone lengths come from the stream (displacement on), from the server's command channel, or from the manual's Appendix B.",
-        Arity = ArgumentArity.ExactlyOne,
-    };
+    private readonly Option<string?> _export;
 
     private readonly Option<string?> _avatar = new("--export-avatar")
     {
@@ -32,6 +25,16 @@ internal sealed class ExportArguments
             result.AddError($"--export-avatar: '{text}' is not an avatar number, from 0, or all.");
             return null;
         },
+        Arity = ArgumentArity.ExactlyOne,
+    };
+
+    /// <summary>Creates the options.</summary>
+    /// <param name="body">Where the bone lengths come from.</param>
+    public ExportArguments(string body) => _export = new Option<string?>("--export")
+    {
+        HelpName = "FILE.bvh",
+        Description = "Also write the motion frames to this BVH file. An existing file is an error unless --overwrite is given. "
+            + $"The bone lengths come from {body}, or from the manual's Appendix B.",
         Arity = ArgumentArity.ExactlyOne,
     };
 

@@ -1,5 +1,6 @@
 using System.Numerics;
 using NeuronMocap.Skeleton;
+using NeuronMocap.Tool.Figures;
 using NeuronMocap.Tool.Terminal;
 using Spectre.Console;
 
@@ -66,7 +67,7 @@ internal sealed class BoneTable
         int decimals = _isWide ? 1 : 0;
         return
         [
-            new Text(NameOf(bone), new Style(Palette.Of(Wireframe.PartOf(bone)))),
+            new Text(NameOf(bone), new Style(BodyColours.Of(Wireframe.PartOf(bone)))),
             Number(position.X, 1), Number(position.Y, 1), Number(position.Z, 1),
             Number(angles.X, decimals), Number(angles.Y, decimals), Number(angles.Z, decimals),
         ];

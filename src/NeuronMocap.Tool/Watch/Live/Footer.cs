@@ -1,5 +1,5 @@
-using NeuronMocap.Tool.Play;
 using NeuronMocap.Tool.Terminal;
+using NeuronMocap.Tool.Watch.Playback;
 using Spectre.Console;
 
 namespace NeuronMocap.Tool.Watch.Live;

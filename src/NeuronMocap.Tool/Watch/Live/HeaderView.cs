@@ -1,8 +1,8 @@
 using System.Diagnostics;
 using NeuronMocap.Recording;
 using NeuronMocap.Tool.Output;
-using NeuronMocap.Tool.Play;
 using NeuronMocap.Tool.Terminal;
+using NeuronMocap.Tool.Watch.Playback;
 using Spectre.Console;
 
 namespace NeuronMocap.Tool.Watch.Live;
@@ -78,10 +78,10 @@ internal static class HeaderView
     {
         if (state.Player is { } player)
             return [player.FileName, PlaybackKeys.Describe(player)];
-        if (state.Options.UdpPort is { } port)
+        if (state.Connection.UdpPort is { } port)
             return state.Status.ReceiveBufferSize is { } buffer ? [$"UDP port {port}", $"receive buffer {Quantity.Memory(buffer)}"] : [$"UDP port {port}"];
 
-        return [state.Options.Server is { } server ? $"TCP {server}" : $"TCP {state.Status.RemoteEndPoint?.ToString() ?? "loopback"} (demo)"];
+        return [state.Connection.Server is { } server ? $"TCP {server}" : $"TCP {state.Status.RemoteEndPoint?.ToString() ?? "loopback"} (demo)"];
     }
 
     private static IEnumerable<Piece> Recording(LiveState state)
@@ -125,12 +125,12 @@ internal static class HeaderView
     private static string DescribeOrder(LiveState state, Pose pose)
     {
         RotationOrder order = pose.Format.RotationOrder;
-        if (state.Options.RotationOrder is not null)
+        if (state.Connection.RotationOrder is not null)
             return $"{order} by --order";
         if (pose.Header.Version == DataVersion.Studio)
             return $"{order} as the stream says";
 
-        bool isOrderAvailable = state.Options.CommandPort is not null || state.Options.Play is not null;
+        bool isOrderAvailable = state.Connection.CommandPort is not null || state.Player is not null;
         return isOrderAvailable ? $"rotation order {order}" : $"{order} assumed";
     }
 

@@ -1,19 +1,20 @@
 using System.Runtime.InteropServices;
 using System.Text;
 using NeuronMocap.Recording;
+using NeuronMocap.Tool.Arguments;
 using NeuronMocap.Tool.Output;
-using NeuronMocap.Tool.Play;
 using NeuronMocap.Tool.Terminal;
+using NeuronMocap.Tool.Watch.Playback;
 using NeuronMocap.Tool.Watch.Recordings;
 
 namespace NeuronMocap.Tool.Watch.Live;
 
 /// <summary>The live view. It updates ten times a second and with every key. All its work is on one thread.</summary>
-internal sealed class LiveOutput(NeuronReader reader, RecordingPlayer? player, TakeRecorder takes, WatchOptions options, Stream output) : WatchOutput
+internal sealed class LiveOutput(NeuronReader reader, RecordingPlayer? player, TakeRecorder takes, ConnectionOptions connection, Stream output) : WatchOutput
 {
     private static readonly TimeSpan Period = TimeSpan.FromMilliseconds(100);
 
-    private readonly LiveState _state = new(options) { Player = player, Takes = takes, HasKeyboard = Keyboard.IsAvailable };
+    private readonly LiveState _state = new(connection) { Player = player, Takes = takes, HasKeyboard = Keyboard.IsAvailable };
     private bool _quit;
 
     public override void OnStatus(ConnectionStatus status) => _state.Events.Add(DateTime.Now, status);

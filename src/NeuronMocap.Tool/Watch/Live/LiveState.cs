@@ -1,12 +1,13 @@
 using System.Diagnostics;
 using NeuronMocap.Recording;
+using NeuronMocap.Tool.Arguments;
 using NeuronMocap.Tool.Output;
 using NeuronMocap.Tool.Watch.Recordings;
 
 namespace NeuronMocap.Tool.Watch.Live;
 
 /// <summary>The data that the live view shows, from its last update. Use it on one thread; other threads may add failures and events.</summary>
-internal sealed class LiveState(WatchOptions options)
+internal sealed class LiveState(ConnectionOptions connection)
 {
     private static readonly TimeSpan NoticeTime = TimeSpan.FromSeconds(10);
 
@@ -19,7 +20,7 @@ internal sealed class LiveState(WatchOptions options)
     private volatile FileFailure[] _failures = [];
     private volatile TimedText? _notice;
 
-    public WatchOptions Options => options;
+    public ConnectionOptions Connection => connection;
 
     /// <summary>The playback; null for a live stream.</summary>
     public RecordingPlayer? Player { get; init; }

@@ -1,5 +1,6 @@
 using System.Numerics;
 using NeuronMocap.Skeleton;
+using NeuronMocap.Tool.Figures;
 
 namespace NeuronMocap.Tool.Watch.Live;
 

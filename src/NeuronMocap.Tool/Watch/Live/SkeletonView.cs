@@ -1,4 +1,5 @@
 using System.Numerics;
+using NeuronMocap.Tool.Figures;
 using NeuronMocap.Tool.Terminal;
 
 namespace NeuronMocap.Tool.Watch.Live;
@@ -82,7 +83,7 @@ internal static class SkeletonView
                 continue;
             }
 
-            canvas.DrawLine(from.X, from.Y, to.X, to.Y, Palette.Of(line.Part));
+            canvas.DrawLine(from.X, from.Y, to.X, to.Y, BodyColours.Of(line.Part));
         }
     }
 

@@ -2,7 +2,6 @@ using System.CommandLine;
 using System.CommandLine.Parsing;
 using NeuronMocap.Recording;
 using NeuronMocap.Tool.Arguments;
-using NeuronMocap.Tool.Files;
 
 namespace NeuronMocap.Tool.Watch.Recordings;
 
@@ -68,8 +67,6 @@ internal sealed class RecordingArguments
         FileNames.Reject(result, _record, "a recording", ".nmrec");
         if (Verb.IsGiven(result, _files) && !Verb.IsGiven(result, _size) && !Verb.IsGiven(result, _time))
             result.AddError("--record-files needs --record-size or --record-time: without them there is only one file.");
-        if (result.GetResult(_record)!.Tokens is [var path] && string.IsNullOrWhiteSpace(path.Value))
-            result.AddError("--record: the name of the file is empty.");
     }
 
     public RecordingSettings? Read(ParseResult result, bool overwrite)

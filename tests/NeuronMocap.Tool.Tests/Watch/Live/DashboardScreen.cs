@@ -1,7 +1,6 @@
 using System.Text.RegularExpressions;
 using NeuronMocap.Tool.Arguments;
 using NeuronMocap.Tool.Tests.Infrastructure;
-using NeuronMocap.Tool.Watch;
 using NeuronMocap.Tool.Watch.Live;
 using Spectre.Console;
 
@@ -20,7 +19,7 @@ internal static partial class DashboardScreen
 
     public static LiveState State(ConnectionStatus status)
     {
-        var state = new LiveState(new WatchOptions { Server = new ServerAddress("studio", 7001) }) { Status = status };
+        var state = new LiveState(new ConnectionOptions { Server = new ServerAddress("studio", 7001) }) { Status = status };
         state.Events.Add(DateTime.UnixEpoch, status);
         return state;
     }

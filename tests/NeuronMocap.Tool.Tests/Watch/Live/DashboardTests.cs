@@ -1,7 +1,6 @@
 using NeuronMocap.Tool.Arguments;
 using NeuronMocap.Tool.Output;
 using NeuronMocap.Tool.Tests.Infrastructure;
-using NeuronMocap.Tool.Watch;
 using NeuronMocap.Tool.Watch.Live;
 using static NeuronMocap.Tool.Tests.Watch.Live.DashboardScreen;
 
@@ -65,7 +64,7 @@ public sealed class DashboardTests
     [Fact]
     public void The_stream_line_does_not_contradict_the_command_channel()
     {
-        var state = new LiveState(new WatchOptions { Server = new ServerAddress("studio", 7001), CommandPort = 8013 })
+        var state = new LiveState(new ConnectionOptions { Server = new ServerAddress("studio", 7001), CommandPort = 8013 })
         {
             Status = new(ConnectionState.Receiving, ConnectionReason.None, "Receiving from studio:7001: binary format; rotation order YXZ, as the command channel says."),
         };
@@ -78,7 +77,7 @@ public sealed class DashboardTests
     [Fact]
     public void No_keys_are_offered_without_a_keyboard()
     {
-        var state = new LiveState(new WatchOptions()) { Status = Receiving, HasKeyboard = false };
+        var state = new LiveState(new ConnectionOptions()) { Status = Receiving, HasKeyboard = false };
         string last = Draw(state, 80, 24)[^1];
         Assert.StartsWith("Ctrl-C quits", last, StringComparison.Ordinal);
         Assert.DoesNotContain("record", last, StringComparison.Ordinal);
@@ -97,7 +96,7 @@ public sealed class DashboardTests
     [Fact]
     public void The_timecode_and_the_buffer_are_shown()
     {
-        var state = new LiveState(new WatchOptions { UdpPort = 7012 }) { Status = Receiving with { ReceiveBufferSize = 212_992 } };
+        var state = new LiveState(new ConnectionOptions { UdpPort = 7012 }) { Status = Receiving with { ReceiveBufferSize = 212_992 } };
         float[] values = new float[180];
         state.Take(new MotionFrame(new MotionHeader { Version = DataVersion.Studio, Reserved1 = 0x0A0B0C, Reserved2 = 7 }, values));
         string text = string.Join('\n', Draw(state, 80, 24));

@@ -1,3 +1,4 @@
+using NeuronMocap.Tool.Figures;
 using NeuronMocap.Tool.Tests.Infrastructure;
 using NeuronMocap.Tool.Watch.Live;
 

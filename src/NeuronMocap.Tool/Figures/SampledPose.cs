@@ -1,6 +1,6 @@
 using System.Numerics;
 
-namespace NeuronMocap.Tool.Plot;
+namespace NeuronMocap.Tool.Figures;
 
 /// <summary>A pose of the take that is drawn as a skeleton.</summary>
 /// <param name="Seconds">Time since the start of the take.</param>

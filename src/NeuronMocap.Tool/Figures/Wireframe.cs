@@ -1,6 +1,6 @@
 using NeuronMocap.Skeleton;
 
-namespace NeuronMocap.Tool.Watch.Live;
+namespace NeuronMocap.Tool.Figures;
 
 /// <summary>The part of the body to which a line belongs.</summary>
 internal enum BodyPart

@@ -8,9 +8,9 @@ using NeuronMocap.Commands;
 using NeuronMocap.Diagnostics;
 using NeuronMocap.Recording;
 using NeuronMocap.Server;
-using NeuronMocap.Tool.Arguments;
+using NeuronMocap.Tool.Terminal;
 
-namespace NeuronMocap.Tool.Tests.Arguments;
+namespace NeuronMocap.Tool.Tests.Terminal;
 
 /// <summary>No message to a user of the command line contains the name of a library member.</summary>
 public sealed partial class OptionNamesTests

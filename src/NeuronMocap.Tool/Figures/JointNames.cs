@@ -1,6 +1,4 @@
-using NeuronMocap.Tool.Watch.Live;
-
-namespace NeuronMocap.Tool.Plot;
+namespace NeuronMocap.Tool.Figures;
 
 /// <summary>Interprets common joint names of BVH files: LeftFoot, lfoot, foot_L, l_ankle, LHand.</summary>
 internal static class JointNames

@@ -3,7 +3,7 @@ using System.CommandLine.Parsing;
 using NeuronMocap.Recording;
 using NeuronMocap.Tool.Arguments;
 
-namespace NeuronMocap.Tool.Play;
+namespace NeuronMocap.Tool.Watch.Playback;
 
 /// <summary>The options of a playback.</summary>
 internal sealed class PlaybackArguments
@@ -18,7 +18,7 @@ internal sealed class PlaybackArguments
         Arity = ArgumentArity.ExactlyOne,
     };
 
-    public Option<double?> Rate { get; } = CommonOptions.Rate();
+    public Option<double?> Rate { get; } = CommonOptions.Rate("a file that holds bytes without times");
 
     public Option<bool> Loop { get; } = new("--loop") { Description = "Start again at the end." };
 

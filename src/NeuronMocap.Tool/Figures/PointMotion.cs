@@ -1,7 +1,6 @@
 using System.Numerics;
-using NeuronMocap.Tool.Watch.Live;
 
-namespace NeuronMocap.Tool.Plot;
+namespace NeuronMocap.Tool.Figures;
 
 /// <summary>A take as moving points and lines between them. The drawing uses only these. Y is up.</summary>
 internal abstract class PointMotion

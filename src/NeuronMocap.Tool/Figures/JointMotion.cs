@@ -1,9 +1,7 @@
 using System.Numerics;
 using NeuronMocap.Bvh;
-using NeuronMocap.Tool.Convert;
-using NeuronMocap.Tool.Watch.Live;
 
-namespace NeuronMocap.Tool.Plot;
+namespace NeuronMocap.Tool.Figures;
 
 /// <summary>The joints and End Sites of any BVH file whose skeleton is not the 59 bones.</summary>
 /// <remarks>The names of the joints identify left, right, feet and hands. Not thread-safe.</remarks>

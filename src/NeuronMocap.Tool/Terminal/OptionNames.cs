@@ -5,7 +5,7 @@ using NeuronMocap.Diagnostics;
 using NeuronMocap.Recording;
 using NeuronMocap.Server;
 
-namespace NeuronMocap.Tool.Arguments;
+namespace NeuronMocap.Tool.Terminal;
 
 /// <summary>Replaces names of the library's members in its messages by options of this program.</summary>
 /// <remarks>

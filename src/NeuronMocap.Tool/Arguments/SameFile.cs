@@ -1,7 +1,7 @@
 using System.CommandLine;
 using System.CommandLine.Parsing;
 
-namespace NeuronMocap.Tool.Files;
+namespace NeuronMocap.Tool.Arguments;
 
 /// <summary>Finds options that would overwrite each other's file, or the file that is played.</summary>
 internal static class SameFile

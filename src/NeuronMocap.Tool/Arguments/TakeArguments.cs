@@ -1,9 +1,10 @@
 using System.CommandLine;
 using System.CommandLine.Parsing;
 using System.Globalization;
-using NeuronMocap.Tool.Arguments;
+using NeuronMocap.Tool.Files;
+using NeuronMocap.Tool.Terminal;
 
-namespace NeuronMocap.Tool.Files;
+namespace NeuronMocap.Tool.Arguments;
 
 /// <summary>The arguments of verbs that create a file from another file.</summary>
 internal sealed class TakeArguments
@@ -19,6 +20,7 @@ internal sealed class TakeArguments
     private readonly Option<double?> _to = CommonOptions.Time("--to", "End at this time of the take.");
     private readonly Option<bool> _overwrite = CommonOptions.Overwrite("the file");
     private readonly Option<double?> _rate = CommonOptions.Rate();
+    private readonly Option<RotationOrder?> _order = CommonOptions.StreamOrder();
     private readonly Option<int?> _avatar = CommonOptions.Avatar("For a recording: number of the avatar, from 0. Default: the first.");
 
     /// <summary>Creates the arguments.</summary>
@@ -30,14 +32,14 @@ internal sealed class TakeArguments
     /// <summary>The meaning of the exit codes.</summary>
     public static IReadOnlyList<(int Code, string Meaning)> Codes { get; } =
     [
-        (CommandLine.Done, "done"),
-        (CommandLine.NothingReceived, "not read or written; standard error says why"),
-        (CommandLine.Interrupted, "ended by Ctrl+C or SIGTERM, nothing written"),
+        (ToolCommand.Done, "done"),
+        (ToolCommand.NothingReceived, "not read or written; standard error says why"),
+        (ToolCommand.Interrupted, "ended by Ctrl+C or SIGTERM, nothing written"),
     ];
 
     public Argument[] Files => [_input, _output];
 
-    public Option[] Options => [_from, _to, _avatar, _rate, _overwrite];
+    public Option[] Options => [_from, _to, _avatar, _rate, _order, _overwrite];
 
     /// <summary>Gets the file to write. Null if it is missing, which the parser reports.</summary>
     public string? FindOutput(CommandResult result) => result.GetResult(_output) is { Tokens: [var output] } ? output.Value : null;
@@ -49,12 +51,13 @@ internal sealed class TakeArguments
             result.AddError("--to must be later than --from.");
     }
 
-    public FileSettings Read(ParseResult result, FileTask task) => new(task, result.GetValue(_input)!, result.GetValue(_output))
+    public FileSettings Read(ParseResult result) => new(result.GetValue(_input)!, result.GetValue(_output))
     {
         From = result.GetValue(_from),
         To = result.GetValue(_to),
         Avatar = result.GetValue(_avatar),
         InputRate = result.GetValue(_rate),
+        InputOrder = result.GetValue(_order),
         Overwrite = result.GetValue(_overwrite),
     };
 

@@ -1,6 +1,6 @@
 using System.Numerics;
 
-namespace NeuronMocap.Tool.Plot;
+namespace NeuronMocap.Tool.Figures;
 
 /// <summary>Measures the speed of a point from its positions some frames before and after.</summary>
 /// <remarks>Over less than a thirtieth of a second, the rounding of the values' last digits would dominate the speed.</remarks>

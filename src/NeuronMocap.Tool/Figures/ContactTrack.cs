@@ -1,6 +1,6 @@
 using System.Numerics;
 
-namespace NeuronMocap.Tool.Plot;
+namespace NeuronMocap.Tool.Figures;
 
 /// <summary>The times and places at which a foot is on the ground.</summary>
 internal sealed class ContactTrack

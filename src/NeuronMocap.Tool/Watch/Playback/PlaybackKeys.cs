@@ -1,6 +1,6 @@
 using NeuronMocap.Recording;
 
-namespace NeuronMocap.Tool.Play;
+namespace NeuronMocap.Tool.Watch.Playback;
 
 /// <summary>The keys of the live view that control a playback.</summary>
 internal static class PlaybackKeys

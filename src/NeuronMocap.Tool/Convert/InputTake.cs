@@ -2,9 +2,9 @@ using NeuronMocap.Bvh;
 using NeuronMocap.Calculation;
 using NeuronMocap.Server;
 using NeuronMocap.Skeleton;
-using NeuronMocap.Tool.Convert;
+using NeuronMocap.Tool.Files;
 
-namespace NeuronMocap.Tool.Files;
+namespace NeuronMocap.Tool.Convert;
 
 /// <summary>The motion in a file, and the format of its values.</summary>
 /// <param name="Motion">The poses. The motion has an end.</param>

@@ -1,4 +1,4 @@
-namespace NeuronMocap.Tool.Plot;
+namespace NeuronMocap.Tool.Figures;
 
 /// <summary>A value over time, for a chart.</summary>
 /// <remarks>

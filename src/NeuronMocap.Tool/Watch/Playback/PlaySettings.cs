@@ -2,7 +2,7 @@ using NeuronMocap.Recording;
 using NeuronMocap.Tool.Files;
 using NeuronMocap.Tool.Terminal;
 
-namespace NeuronMocap.Tool.Play;
+namespace NeuronMocap.Tool.Watch.Playback;
 
 /// <summary>Settings for the playback of a file.</summary>
 /// <param name="File">A recording, or bytes without times.</param>
@@ -30,7 +30,7 @@ internal sealed record PlaySettings(string File, double Speed, double? FrameRate
         }
         catch (Exception exception) when (exception is NeuronException or IOException or UnauthorizedAccessException or ArgumentException)
         {
-            string hint = IsOtherTake(exception) ? $" {CommandLine.Name} convert turns it into one." : string.Empty;
+            string hint = IsOtherTake(exception) ? $" {ToolCommand.Name} convert turns it into one." : string.Empty;
             throw new PlayException(FileFault.OfReading(exception, File) + hint);
         }
     }

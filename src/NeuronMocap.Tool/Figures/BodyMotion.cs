@@ -1,9 +1,8 @@
 using System.Numerics;
 using NeuronMocap.Server;
 using NeuronMocap.Skeleton;
-using NeuronMocap.Tool.Watch.Live;
 
-namespace NeuronMocap.Tool.Plot;
+namespace NeuronMocap.Tool.Figures;
 
 /// <summary>The 59 bones of a take, and the ends of the outermost bones. Not thread-safe.</summary>
 internal sealed class BodyMotion : PointMotion

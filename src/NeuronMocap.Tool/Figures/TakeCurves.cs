@@ -1,7 +1,7 @@
 using System.Numerics;
 using NeuronMocap.Motion;
 
-namespace NeuronMocap.Tool.Plot;
+namespace NeuronMocap.Tool.Figures;
 
 /// <summary>The data of the charts and the map, from one pass through the take. Its size does not depend on the length of the take.</summary>
 internal sealed class TakeCurves

@@ -1,7 +1,7 @@
 using System.Numerics;
 using NeuronMocap.Bvh;
 
-namespace NeuronMocap.Tool.Convert;
+namespace NeuronMocap.Tool.Figures;
 
 /// <summary>Rotations of joints with channels in any number and order, as in any BVH file.</summary>
 internal static class BvhRotations
