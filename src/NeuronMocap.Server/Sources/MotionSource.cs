@@ -76,10 +76,8 @@ public abstract class MotionSource
         }
     }
 
-    /// <summary>Writes the three components of a vector.</summary>
-    /// <param name="destination">Room for three values.</param>
-    /// <param name="vector">The vector.</param>
-    protected static void Write(Span<float> destination, Vector3 vector)
+    // Writes the three components.
+    private protected static void Write(Span<float> destination, Vector3 vector)
     {
         destination[0] = vector.X;
         destination[1] = vector.Y;

@@ -1,7 +1,7 @@
 using System.Numerics;
-using NeuronMocap.Bvh;
 using NeuronMocap.Motion;
 using NeuronMocap.Skeleton;
+using NeuronMocap.Timing;
 
 namespace NeuronMocap.Server.Sources;
 
@@ -13,27 +13,27 @@ namespace NeuronMocap.Server.Sources;
 internal sealed class RecordedTimeline
 {
     private const double LongestFilledGap = 1; // s
+
     // No suit is faster. If the index jumps but no time has passed, no frames are missing, whatever the index says.
     private const double HighestRate = 1000; // Hz
-    private const double RateTolerance = 0.01;
     private const double DefaultRate = 120; // Hz: that of a suit with fewer than 18 sensors (manual section 1.3)
-    private const int LargestReduction = 60;
 
     private readonly List<RecordedTakeRow> _rows = [];
     private readonly List<RecordedGap> _gaps = [];
     private readonly ChannelLayout _layout;
     private readonly RotationOrder _order;
-    private readonly int _reduction;
+    private readonly FrameTiming _timing = new();
 
     // Raw bytes have no real times. Their times come from a given rate and would give a wrong rate where frames were lost.
     public RecordedTimeline(IReadOnlyList<RecordedTakeRow> received, ChannelLayout layout, RotationOrder order, double? evenRate)
     {
         _layout = layout;
         _order = order;
-        _reduction = FindReduction(received);
-        FrameRateEstimator? estimate = evenRate is null ? Measure(received) : null;
-        MeasuredFrameRate = estimate?.MeasuredFrameRate;
-        FrameRate = evenRate ?? estimate?.FrameRate ?? DefaultRate;
+        foreach (RecordedTakeRow row in received)
+            _timing.Add(row.Index, row.Time, row.Connection);
+
+        MeasuredFrameRate = evenRate is null ? _timing.MeasuredRate : null;
+        FrameRate = evenRate ?? _timing.Rate ?? DefaultRate;
         foreach (RecordedTakeRow row in received)
             Add(row);
     }
@@ -50,14 +50,8 @@ internal sealed class RecordedTimeline
     public double? MeasuredFrameRate { get; }
 
     // Number of frames from one to the next, 1 for neighbours. Null if the index does not give it.
-    private long? StepBetween(RecordedTakeRow before, RecordedTakeRow row)
-    {
-        if (before.Index is not { } first || row.Index is not { } second)
-            return before.Connection == row.Connection ? 1 : null;
-
-        int step = (int)(second - first);
-        return step > 0 && step % _reduction == 0 ? step / _reduction : null;
-    }
+    private long? StepBetween(RecordedTakeRow before, RecordedTakeRow row) =>
+        before.Connection == row.Connection || (before.Index is not null && row.Index is not null) ? _timing.FramesBetween(before.Index, row.Index) : null;
 
     private void Add(RecordedTakeRow row)
     {
@@ -80,7 +74,7 @@ internal sealed class RecordedTimeline
             float part = (float)i / step;
             var row = new RecordedTakeRow(
                 Interpolate(before.Values, after.Values, part),
-                before.Index + (uint)(i * _reduction),
+                before.Index + (uint)(i * _timing.Step),
                 before.Time + ((after.Time - before.Time) * part),
                 before.Connection)
             {
@@ -116,48 +110,5 @@ internal sealed class RecordedTimeline
 
         pose[^1] = PoseValues.ReadReference(values, _layout, _order);
         return pose;
-    }
-
-    // The most common step of the index. A server may send only every second or third frame.
-    private static int FindReduction(IReadOnlyList<RecordedTakeRow> rows)
-    {
-        int[] counts = new int[LargestReduction + 1];
-        for (int i = 1; i < rows.Count; i++)
-        {
-            if (rows[i - 1].Index is { } before && rows[i].Index is { } now && now - before is > 0 and <= LargestReduction and var step)
-                counts[(int)step]++;
-        }
-
-        int most = counts.Max();
-        return most == 0 ? 1 : Array.IndexOf(counts, most);
-    }
-
-    // Measures over all stretches for which the index gives the number of frames.
-    private FrameRateEstimator Measure(IReadOnlyList<RecordedTakeRow> rows)
-    {
-        var estimate = new FrameRateEstimator();
-        long frame = 0;
-        for (int i = 0; i < rows.Count; i++)
-        {
-            if (i > 0
-                && StepBetween(rows[i - 1], rows[i]) is { } step
-                && rows[i].Time >= rows[i - 1].Time
-                && rows[i - 1].Connection == rows[i].Connection)
-            {
-                estimate.Add(frame += step, rows[i].Time);
-            }
-            else
-            {
-                estimate.Restart(frame, rows[i].Time);
-            }
-        }
-
-        return estimate;
-    }
-
-    public static double ChooseFrameRate(double measured)
-    {
-        double nearest = BvhFrameTimeText.UsualRates.ToArray().OrderBy(rate => Math.Abs(rate - measured)).First();
-        return Math.Abs(nearest - measured) <= nearest * RateTolerance ? nearest : measured;
     }
 }

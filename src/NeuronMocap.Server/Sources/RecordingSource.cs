@@ -49,21 +49,25 @@ public sealed class RecordingSource : MotionSource
     /// <summary>Rotation order and names of the bones.</summary>
     public SkeletonFormat Format { get; }
 
-    /// <summary>Frames per second, estimated from the arrival times as in <see cref="FrameRateEstimator"/>.</summary>
+    /// <summary>Frames per second, estimated from the arrival times. A BVH export of the same stream has the same rate.</summary>
     /// <value>
     /// <list type="bullet">
-    /// <item>A usual rate within one per cent of the measured one (<see cref="MeasuredFrameRate"/>), or else the measured rate.</item>
+    /// <item>
+    /// The usual rate nearest to the measured one (<see cref="MeasuredFrameRate"/>), if it is within one per cent, or more for a take of less than
+    /// a second. Otherwise the measured rate to a hundredth.
+    /// </item>
     /// <item>The rate of the grid if the arrival times lie on an even grid, as in a recording made from a file.</item>
     /// <item>120 if the arrival times do not give a rate.</item>
     /// <item>For raw bytes: <see cref="PlaybackOptions.FrameRate"/>, or the rate of their timecodes, or 120.</item>
     /// </list>
     /// </value>
     /// <remarks>
-    /// Usual rates: 24, 25, 30, 48, 50, 60, 72, 75, 80, 90, 96, 100, 120, 144, 150, 180, 200, 240, 300 and 360 Hz.
+    /// Usual rates: 24, 25, 30, 48, 50, 60, 72, 75, 80, 90, 96, 100, 120, 125, 144, 150, 180, 200, 240, 250, 300 and 360 Hz.
     /// </remarks>
     public override double FrameRate => _timeline.FrameRate;
 
     /// <summary>Frames per second according to the arrival times, with missing frames counted. Null if they do not give a rate.</summary>
+    /// <remarks>Frames that arrive late, such as a burst when the connection opens, and pauses of the server have no influence.</remarks>
     public double? MeasuredFrameRate => _timeline.MeasuredFrameRate;
 
     /// <inheritdoc/>
@@ -125,11 +129,6 @@ public sealed class RecordingSource : MotionSource
             ? new RecordingSource(builder, RecordedBody.ReadMetadata(path), reader.EvenRate)
             : throw new NeuronException(DescribeLack(builder));
     }
-
-    /// <summary>Chooses the rate that a server is probably set to, as <see cref="FrameRate"/> describes.</summary>
-    /// <param name="measured">Measured frames per second.</param>
-    /// <returns>A usual rate within one per cent of the measured one, or else the measured rate.</returns>
-    public static double ChooseFrameRate(double measured) => RecordedTimeline.ChooseFrameRate(measured);
 
     /// <summary>
     /// Gets the arrival time of a frame, since the start of the recording. An interpolated frame has the time at which it would have arrived.

@@ -17,8 +17,8 @@ internal static class CalculationRows
         if (Survey(settings, range, progress, cancellationToken) is not { } found)
             return false;
 
-        (double? measured, long gaps, long missing) = found.Times.Measure();
-        double rate = settings.InputRate ?? measured ?? CalculationReadOptions.DefaultFrameRate;
+        (long gaps, long missing) = found.Times.CountGaps();
+        double rate = settings.InputRate ?? found.Times.Rate ?? CalculationReadOptions.DefaultFrameRate;
         using (var writer = new CalculationFileWriter(output, found.ValueCount, CalculationTextFormat.AxisNeuron.WithFrameRate(rate)))
         {
             foreach (CalculationFrame frame in Read(settings, range, found.Avatar, progress, cancellationToken))
@@ -49,7 +49,7 @@ internal static class CalculationRows
         if (Survey(settings, default, progress, cancellationToken) is not { HasPoses: false } found)
             return null;
 
-        double rate = settings.InputRate ?? found.Times.Measure().Rate ?? CalculationReadOptions.DefaultFrameRate;
+        double rate = settings.InputRate ?? found.Times.Rate ?? CalculationReadOptions.DefaultFrameRate;
         using var text = new MemoryStream();
         using (var writer = new CalculationFileWriter(text, found.ValueCount, leaveOpen: true))
         {
@@ -81,7 +81,7 @@ internal static class CalculationRows
 
             found ??= new Found(frame.AvatarIndex, frame.AvatarName, frame.Values.Length, new RowTimes());
             if (frame.Values.Length == found.ValueCount)
-                found.Times.Add(frame.FrameIndex, reader.Time);
+                found.Times.Add(frame.FrameIndex, reader.Time, reader.Connection);
         }
 
         return found is null ? null : found with { HasPoses = hasPoses };

@@ -1,6 +1,7 @@
 using System.Text.Json.Nodes;
 using NeuronMocap.Protocol;
 using NeuronMocap.Recording;
+using NeuronMocap.Timing;
 using NeuronMocap.Tool.Terminal;
 
 namespace NeuronMocap.Tool.Info;
@@ -23,7 +24,7 @@ internal sealed class StreamContents
         {
             cancellationToken.ThrowIfCancellationRequested();
             progress.Report(reader.Duration > TimeSpan.Zero ? reader.Time / reader.Duration : 0);
-            contents.Take(reader.Frame, reader.Time);
+            contents.Take(reader.Frame, reader.Time, reader.Connection);
         }
 
         contents._duration = reader.Duration;
@@ -60,7 +61,7 @@ internal sealed class StreamContents
             AddAvatar(avatars, avatar, hasTimes);
     }
 
-    private void Take(AvatarFrame frame, TimeSpan time)
+    private void Take(AvatarFrame frame, TimeSpan time, int connection)
     {
         (PacketKind kind, string format) = frame switch
         {
@@ -73,7 +74,7 @@ internal sealed class StreamContents
         if (!_frames.TryGetValue(key, out Frames? frames))
             _frames.Add(key, frames = new Frames());
 
-        frames.Take(frame, time);
+        frames.Take(frame, time, connection);
     }
 
     private static string DescribeMotion(MotionFrame frame)
@@ -144,23 +145,21 @@ internal sealed class StreamContents
     // The frames of one avatar and kind.
     private sealed class Frames
     {
-        private TimeSpan _first;
-        private TimeSpan _last;
-        private long _count;
+        private readonly FrameTiming _timing = new();
+        private TimeSpan? _last;
 
         public bool HasSkeleton { get; private set; }
 
         public TimeSpan LongestInterval { get; private set; }
 
-        public double? FrameRate => _last > _first ? (_count - 1) / (_last - _first).TotalSeconds : null;
+        public double? FrameRate => _timing.MeasuredRate;
 
-        public void Take(AvatarFrame frame, TimeSpan time)
+        public void Take(AvatarFrame frame, TimeSpan time, int connection)
         {
             HasSkeleton |= frame is MotionFrame { HasSkeleton: true };
-            if (_count++ == 0)
-                _first = time;
-            else if (time - _last > LongestInterval)
-                LongestInterval = time - _last;
+            _timing.Add(frame.FrameIndex, time, connection);
+            if (_last is { } last && time - last > LongestInterval)
+                LongestInterval = time - last;
 
             _last = time;
         }

@@ -73,7 +73,7 @@ public sealed partial class FrontPageTests
     {
         BvhDocument bvh = BvhDocument.Load(Repository.PathOf("samples", "takes", "walk.bvh"));
         Assert.Empty(bvh.Repairs);
-        Assert.Equal((59, 118), (bvh.Joints.Count, bvh.FrameCount));
+        Assert.Equal((59, 120), (bvh.Joints.Count, bvh.FrameCount));
 
         using RecordedFrameReader take = RecordedFrameReader.Open(Repository.PathOf("samples", "takes", "walk.nmrec"));
         int frames = 0;

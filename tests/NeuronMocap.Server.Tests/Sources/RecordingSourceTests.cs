@@ -211,13 +211,6 @@ public sealed class RecordingSourceTests
         Assert.Contains("no motion frame", Assert.Throws<NeuronException>(() => RecordingSource.Load(file.Path)).Message, StringComparison.Ordinal);
     }
 
-    [Theory]
-    [InlineData(59.5, 60)]
-    [InlineData(95.9, 96)]
-    [InlineData(119.1, 120)]
-    [InlineData(110, 110)]
-    public void Rates_near_a_usual_rate_snap_to_it(double measured, double chosen) => Assert.Equal(chosen, RecordingSource.ChooseFrameRate(measured));
-
     private static TemporaryFile Record(IEnumerable<int> frames, Func<int, double> milliseconds) =>
         Recordings.OfTcp([.. frames.Select(frame => (milliseconds(frame), Packet(frame)))]);
 

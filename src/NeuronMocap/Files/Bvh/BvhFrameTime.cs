@@ -1,4 +1,5 @@
 using System.Text;
+using NeuronMocap.Timing;
 
 namespace NeuronMocap.Bvh;
 
@@ -63,7 +64,7 @@ public readonly record struct BvhFrameTime
             throw new ArgumentOutOfRangeException(nameof(frameRate), frameRate, "The rate must be 1/3600 to a million frames per second.");
 
         decimal rate = (decimal)frameRate;
-        (long numerator, long denominator) = SimplestFraction(rate - (rate * RateTolerance), rate + (rate * RateTolerance));
+        (long numerator, long denominator) = SimplestFraction.Between(rate - (rate * RateTolerance), rate + (rate * RateTolerance));
         return new BvhFrameTime(denominator, numerator);
     }
 
@@ -84,20 +85,6 @@ public readonly record struct BvhFrameTime
     /// Formats the time as in a file: with six decimals, or with as many as <see cref="TryParse"/> needs to read the same time, up to fifteen.
     /// </summary>
     public override string ToString() => BvhFrameTimeText.Create(this);
-
-    // The fraction with the smallest denominator in a range of positive numbers, bounds included, by continued fractions. Works for times and for
-    // rates.
-    internal static (long Numerator, long Denominator) SimplestFraction(decimal lowest, decimal highest)
-    {
-        decimal whole = decimal.Floor(lowest);
-        if (whole == lowest)
-            return ((long)whole, 1);
-        if (whole + 1 <= highest)
-            return ((long)whole + 1, 1);
-
-        (long numerator, long denominator) = SimplestFraction(1 / (highest - whole), 1 / (lowest - whole));
-        return (checked(((long)whole * numerator) + denominator), numerator);
-    }
 
     private static long GreatestDivisor(long a, long b)
     {

@@ -1,6 +1,7 @@
 using System.Globalization;
 using System.Text;
 using NeuronMocap.Protocol;
+using NeuronMocap.Timing;
 
 namespace NeuronMocap.Bvh;
 
@@ -14,7 +15,7 @@ namespace NeuronMocap.Bvh;
 /// none matches, the television rates are tried, such as 1001/30000 s. If none of those matches either, the text is taken literally.
 /// </para>
 /// <para>
-/// 125 and 250 Hz are deliberately not among the usual rates. With three decimals, their periods cannot be distinguished from those of 120 and 240
+/// 125 and 250 Hz are deliberately not among these rates. With three decimals, their periods cannot be distinguished from those of 120 and 240
 /// Hz, which are far more common. A file at 125 Hz has a fourth digit, 0.0080. The opposite holds for 100 and 96 Hz: 0.010 is exactly 100 Hz.
 /// </para>
 /// </remarks>
@@ -32,12 +33,6 @@ internal static class BvhFrameTimeText
     private const int MaxDecimals = 15;
     private const int MinDecimalsWritten = 6;
     private const int LongestText = 128;
-
-    // Measured rates near one of these rates are also taken as that rate.
-    internal static ReadOnlySpan<short> UsualRates =>
-        [24, 25, 30, 48, 50, 60, 72, 75, 80, 90, 96, 100, 120, 144, 150, 180, 200, 240, 300, 360];
-
-    internal static ReadOnlySpan<short> TelevisionRates => [24, 30, 48, 60, 120, 240];
 
     /// <summary>Parses a word of a file.</summary>
     /// <param name="word">The word.</param>
@@ -75,7 +70,7 @@ internal static class BvhFrameTimeText
     private static BvhFrameTime? Choose(double declared, int lastDigit)
     {
         double tolerance = Math.Max(0.5 * Math.Pow(10, lastDigit), declared * SinglePrecision);
-        return Nearest(UsualRates, 1000, declared, tolerance) ?? Nearest(TelevisionRates, 1001, declared, tolerance);
+        return Nearest(UsualRates.Common, 1000, declared, tolerance) ?? Nearest(UsualRates.Television, 1001, declared, tolerance);
     }
 
     private static BvhFrameTime? Nearest(ReadOnlySpan<short> rates, long milliseconds, double declared, double tolerance)
@@ -104,7 +99,7 @@ internal static class BvhFrameTimeText
         decimal half = 0.5m / denominator;
         (long numerator, long divisor) = decimals < ManyDecimals
             ? ((long)(seconds * denominator), denominator)
-            : BvhFrameTime.SimplestFraction(seconds - half, seconds + half);
+            : SimplestFraction.Between(seconds - half, seconds + half);
         return new BvhFrameTime(numerator, divisor);
     }
 }

@@ -15,8 +15,9 @@ public sealed class BvhTakeOptions
     public SkeletonBody? Body { get; set; }
 
     /// <summary>
-    /// Time from one frame to the next. Null, the default, measures it from the receive times of the frames. A measured rate near a usual rate
-    /// becomes that rate: 95.9 Hz becomes 96 Hz. The measurement is complete only at the end, so the stream must be seekable.
+    /// Time from one frame to the next. Null, the default, measures it from the receive times of the frames. Late frames, such as a burst at the
+    /// start, do not change it. A measured rate near a usual rate becomes that rate: 95.9 Hz becomes 96 Hz. The measurement is complete only at the
+    /// end, so the stream must be seekable.
     /// </summary>
     public BvhFrameTime? FrameTime { get; set; }
 

@@ -1,5 +1,7 @@
+using System.Diagnostics;
 using NeuronMocap.Files;
 using NeuronMocap.Skeleton;
+using NeuronMocap.Timing;
 
 namespace NeuronMocap.Bvh;
 
@@ -15,7 +17,7 @@ public sealed class BvhTakeWriter : IDisposable
 {
     private readonly Stream _stream;
     private readonly BvhTakeOptions _options;
-    private readonly FrameSequence _sequence;
+    private readonly FrameTiming _timing = new();
 
     // Numbers of the repeated rows that the stream may not have accepted yet.
     private readonly Queue<int> _recentRepeats = [];
@@ -24,7 +26,7 @@ public sealed class BvhTakeWriter : IDisposable
     private ChannelLayout _layout;
     private SkeletonFormat _format;
     private float[] _row = [];
-    private int _origin;
+    private long _start;
     private bool _isDisposed;
 
     /// <summary>Creates a file. Writing begins with the first frame.</summary>
@@ -46,7 +48,6 @@ public sealed class BvhTakeWriter : IDisposable
         ArgumentNullException.ThrowIfNull(stream);
         _stream = stream;
         _options = options?.Copy() ?? new BvhTakeOptions();
-        _sequence = new FrameSequence(_options.GapHandling);
         if (!stream.CanSeek && _options.FrameTime is null)
             throw new ArgumentException("FrameTime is required for a stream that is not seekable, because a measured frame time is known only at the end.", nameof(stream));
     }
@@ -61,7 +62,7 @@ public sealed class BvhTakeWriter : IDisposable
     public int LateFrames { get; private set; }
 
     /// <summary>Time from one frame to the next, as far as it is known.</summary>
-    public BvhFrameTime FrameTime => _options.FrameTime ?? _sequence.Measure();
+    public BvhFrameTime FrameTime => _options.FrameTime ?? MeasureFrameTime();
 
     /// <summary>
     /// Whether a frame can become a row of this file. It must hold the 59 bones, in the layout, rotation order and variant of the previous frames.
@@ -86,18 +87,14 @@ public sealed class BvhTakeWriter : IDisposable
             throw new InvalidOperationException("The layout of the frame differs from that of the file.");
 
         _writer ??= Begin(frame);
-        if (frame.Origin != _origin)
-            _sequence.Restart();
-
-        _origin = frame.Origin;
-        int rows = _sequence.Next(frame.FrameIndex, frame.Timestamp);
+        int rows = _timing.Add(frame.FrameIndex, TimeOf(frame), frame.Origin);
         if (rows == 0)
         {
             LateFrames++;
             return;
         }
 
-        for (int i = 1; i < rows; i++)
+        for (int i = 1; i < rows && _options.GapHandling == BvhGapHandling.Repeat; i++)
             Repeat(_writer);
 
         frame.Values.CopyTo(_row);
@@ -148,11 +145,18 @@ public sealed class BvhTakeWriter : IDisposable
     private void PassFrameTime()
     {
         if (_options.FrameTime is null)
-            _writer!.FrameTime = _sequence.Measure();
+            _writer!.FrameTime = MeasureFrameTime();
     }
+
+    private BvhFrameTime MeasureFrameTime() => _timing.Rate is { } rate ? BvhFrameTime.FromFrameRate(rate) : BvhFrameTime.Default;
+
+    // Times of a played file are even to the tick. Rounding from the first frame on keeps them so.
+    private TimeSpan TimeOf(MotionFrame frame) =>
+        TimeSpan.FromTicks((long)Math.Round((frame.Timestamp - _start) * (TimeSpan.TicksPerSecond / (double)Stopwatch.Frequency)));
 
     private BvhWriter Begin(MotionFrame frame)
     {
+        _start = frame.Timestamp;
         _layout = frame.Layout;
         _format = frame.Format;
         _row = new float[_layout.ValueCount];

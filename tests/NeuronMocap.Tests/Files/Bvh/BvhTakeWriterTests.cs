@@ -1,6 +1,9 @@
 using System.Numerics;
 using NeuronMocap.Bvh;
+using NeuronMocap.Recording;
 using NeuronMocap.Skeleton;
+using NeuronMocap.Tests.Network;
+using NeuronMocap.Tests.Playback;
 using static NeuronMocap.Tests.Bvh.BvhSamples;
 
 namespace NeuronMocap.Tests.Bvh;
@@ -88,6 +91,23 @@ public class BvhTakeWriterTests
         using var oneWay = new MemoryStream();
         BvhDocument take = Write(new BvhTakeOptions { FrameTime = new BvhFrameTime(1, 96) }, Frame(1, new float[180]));
         Assert.Equal(new BvhFrameTime(1, 96), take.FrameTime);
+    }
+
+    // Two frames in the middle are missing. The arrival times are even.
+    [Theory]
+    [InlineData(BvhGapHandling.Repeat, 12, 2)]
+    [InlineData(BvhGapHandling.Skip, 10, 0)]
+    public void Missing_frames_are_repeated_or_left_out(BvhGapHandling gaps, int rows, int repeated)
+    {
+        using TemporaryFile file = Recordings.OfTcp(
+            [.. Enumerable.Range(0, 12).Where(static frame => frame is not (5 or 6)).Select(static frame => (frame * 12.5, TestPackets.Motion(frame, count: 180)))]);
+        using RecordedFrameReader reader = RecordedFrameReader.Open(file.Path);
+        var stream = new MemoryStream();
+        using var writer = new BvhTakeWriter(stream, new BvhTakeOptions { GapHandling = gaps });
+        while (reader.Read())
+            writer.Write((MotionFrame)reader.Frame);
+
+        Assert.Equal((rows, repeated, 80.0), (writer.FrameCount, writer.RepeatedFrames, writer.FrameTime.FrameRate));
     }
 
     [Fact]
