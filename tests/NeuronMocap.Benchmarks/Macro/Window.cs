@@ -61,12 +61,17 @@ internal static class Window
         foreach (NeuronReader reader in readers)
             reader.Dispose();
 
-        return new Figures
+        var figures = new Figures
         {
             [Wait] = Percentile(waits),
-            [Cost] = (busy / frames) - duration.TotalMicroseconds,
             ["dropped %"] = 100.0 * deliveries.Sum(static delivery => delivery.Dropped) / (Performers * Rate * seconds),
         };
+
+        // A longer handler is often interrupted, and its interruptions would count.
+        if (duration == TimeSpan.Zero)
+            figures[Cost] = busy / frames;
+
+        return figures;
     }
 
     // Only the run of each post is measured, one frame in each.
