@@ -43,8 +43,7 @@ public readonly struct AvatarName : IEquatable<AvatarName>
     /// <param name="destination">At least 32 bytes.</param>
     public void CopyTo(Span<byte> destination)
     {
-        AvatarName copy = this;
-        MemoryMarshal.AsBytes(MemoryMarshal.CreateReadOnlySpan(ref copy, 1)).CopyTo(destination);
+        MemoryMarshal.Write(destination, in this);
     }
 
     /// <summary>Gets the text up to the first zero byte. Bytes that are not UTF-8 become replacement characters.</summary>

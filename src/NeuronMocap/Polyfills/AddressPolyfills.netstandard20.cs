@@ -1,0 +1,11 @@
+using System.Diagnostics.CodeAnalysis;
+
+namespace System.Net;
+
+internal static class AddressPolyfills
+{
+    extension(IPAddress)
+    {
+        public static bool TryParse(ReadOnlySpan<char> text, [NotNullWhen(true)] out IPAddress? address) => IPAddress.TryParse(text.ToString(), out address);
+    }
+}
