@@ -75,7 +75,7 @@ public sealed partial class Broadcaster : IDisposable, IAsyncDisposable
         _plan = plans[0];
         _replies = new DataCommandReplies(_plan, _options.DataCommandLength);
         _isPacketwise = IsPaced && new PacketSpacing(FrameRate, plans.Max(static plan => plan.PacketsPerFrame)).IsPacketwise;
-        _streams = [CreateStream(_plan, _options.AnswerDataCommands ? _replies : null), .. plans[1..].Select(plan => CreateStream(plan, isBeside: true))];
+        _streams = [CreateStream(_plan, _options.AnswerDataCommands ? _replies : null), .. plans.Skip(1).Select(plan => CreateStream(plan, isBeside: true))];
         _pacer = IsPaced ? new FramePacer([.. _streams.Select(static stream => ((FramePlan)stream.Content, stream.Log!))], FrameRate, OnPacerEnded, _report, time) : null;
     }
 

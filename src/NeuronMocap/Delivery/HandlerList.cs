@@ -26,7 +26,7 @@ internal class HandlerSet<T>
         {
             int index = Array.LastIndexOf(_handlers, handler);
             if (index >= 0)
-                _handlers = [.. _handlers[..index], .. _handlers[(index + 1)..]];
+                _handlers = [.. _handlers.AsSpan(0, index), .. _handlers.AsSpan(index + 1)];
         }
     }
 }

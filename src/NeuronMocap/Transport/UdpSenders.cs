@@ -220,7 +220,7 @@ internal sealed class UdpSenders : IPacketReceiver
             _servers.Remove(sender);
             _senders.Remove(sender.Address);
             foreach ((byte[] datagram, long timestamp) in held)
-                Skip(datagram, timestamp, isCrowded: true);
+                Skip(new ArraySegment<byte>(datagram), timestamp, isCrowded: true);
 
             return;
         }
@@ -230,7 +230,7 @@ internal sealed class UdpSenders : IPacketReceiver
             sender.Assembler.JoinLate();
 
         foreach ((byte[] datagram, long timestamp) in held)
-            Deliver(sender, datagram, timestamp);
+            Deliver(sender, new ArraySegment<byte>(datagram), timestamp);
     }
 
     private bool IsOther(UdpSender sender, int kind, bool isCalculation)
@@ -285,7 +285,7 @@ internal sealed class UdpSenders : IPacketReceiver
         _unassigned.Remove(newcomer);
         _senders.Remove(newcomer.Address);
         foreach ((byte[] datagram, long timestamp) in TakeHeld(newcomer))
-            Skip(datagram, timestamp, isCrowded: true);
+            Skip(new ArraySegment<byte>(datagram), timestamp, isCrowded: true);
     }
 
     private (byte[] Datagram, long Timestamp)[] TakeHeld(UdpSender sender)

@@ -1,3 +1,4 @@
+using System.Text;
 using NeuronMocap.Protocol;
 using static NeuronMocap.Bvh.BvhWord;
 
@@ -181,7 +182,7 @@ internal sealed class BvhMotionReader(int channelCount, BvhRepairLog repairs, Bv
             _isFrameTimeReported = true;
             DeclaredFrameTime = declared;
             FrameTime = time;
-            format.FrameTimeText = System.Text.Encoding.ASCII.GetString(word);
+            format.FrameTimeText = Encoding.ASCII.GetString(word);
         }
         else if (declared != DeclaredFrameTime)
         {

@@ -59,7 +59,9 @@ internal sealed class PieceRing
             return false;
 
         int tail = _indices.Tail;
-        Put(tail, MemoryMarshal.AsBytes(MemoryMarshal.CreateReadOnlySpan(ref record, 1)));
+        Span<byte> header = stackalloc byte[PieceRecord.HeaderSize];
+        MemoryMarshal.Write(header, in record);
+        Put(tail, header);
         Put(tail + PieceRecord.HeaderSize, text);
         Put(tail + PieceRecord.HeaderSize + text.Length, bytes);
         Volatile.Write(ref _indices.Tail, tail + record.Size);
@@ -79,7 +81,9 @@ internal sealed class PieceRing
         if (head == Volatile.Read(ref _indices.Tail))
             return false;
 
-        Take(head, MemoryMarshal.AsBytes(MemoryMarshal.CreateSpan(ref record, 1)));
+        Span<byte> header = stackalloc byte[PieceRecord.HeaderSize];
+        Take(head, header);
+        record = MemoryMarshal.Read<PieceRecord>(header);
         return true;
     }
 

@@ -62,7 +62,7 @@ internal readonly record struct RecordingHeader(DateTimeOffset StartTime, Guid R
 
         return new RecordingHeader(
             DateTimeOffset.UnixEpoch.AddTicks(ticks),
-            new Guid(bytes.Slice(IdOffset, NumberOffset - IdOffset)),
+            new Guid(bytes.Slice(IdOffset, NumberOffset - IdOffset).ToArray()),
             BinaryPrimitives.ReadInt32LittleEndian(bytes[NumberOffset..]));
     }
 }

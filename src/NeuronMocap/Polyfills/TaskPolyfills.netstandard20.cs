@@ -1,0 +1,9 @@
+namespace NeuronMocap.Polyfills;
+
+internal static class TaskPolyfills
+{
+    extension(Task task)
+    {
+        public bool IsCompletedSuccessfully => task.Status == TaskStatus.RanToCompletion;
+    }
+}
