@@ -24,8 +24,8 @@ public sealed partial class SnippetTests
             TheoryData<string, string> snippets = [];
             foreach (string page in Directory.GetFiles(Repository.PathOf("docs"), "*.md", SearchOption.AllDirectories).Order(StringComparer.Ordinal))
             {
-                // Those for the vendor's functions need another library.
-                foreach (Match block in Block().Matches(File.ReadAllText(page)).Where(static block => !block.Groups["program"].Success && !block.Value.Contains("NeuronDataReader.", StringComparison.Ordinal)))
+                // Those for the vendor's functions need another library, and those with the marker "needs" a framework that is not here.
+                foreach (Match block in Block().Matches(File.ReadAllText(page)).Where(static block => !block.Groups["marker"].Success && !block.Value.Contains("NeuronDataReader.", StringComparison.Ordinal)))
                     snippets.Add(Path.GetFileName(page), block.Groups["code"].Value);
             }
 
@@ -44,7 +44,7 @@ public sealed partial class SnippetTests
     public void A_snippet_without_its_namespace_does_not_compile() =>
         Assert.NotEmpty(ServerCompiler.FindErrors("BvhDocument take = BvhDocument.Load(\"walk.bvh\");"));
 
-    [GeneratedRegex("^(?<program><!-- program: [^\n]* -->\n)?```csharp\n(?<code>.*?)^```", RegexOptions.Multiline | RegexOptions.Singleline | RegexOptions.ExplicitCapture, matchTimeoutMilliseconds: 60_000)]
+    [GeneratedRegex("^(?<marker><!-- (program|needs): [^\n]* -->\n)?```csharp\n(?<code>.*?)^```", RegexOptions.Multiline | RegexOptions.Singleline | RegexOptions.ExplicitCapture, matchTimeoutMilliseconds: 60_000)]
     private static partial Regex Block();
 
     [GeneratedRegex("(?<=')[^']+(?=')", RegexOptions.ExplicitCapture, matchTimeoutMilliseconds: 1000)]

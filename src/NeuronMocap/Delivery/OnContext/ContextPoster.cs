@@ -56,7 +56,7 @@ internal sealed class ContextPoster
         {
             // For example InvalidOperationException, InvalidAsynchronousStateException or ObjectDisposedException of Windows Forms.
             return new FrameDeliveryEnd(
-                FrameDeliveryEndReason.ContextGone, $"The window is gone: its context threw {exception.GetType().Name} for a post. {exception.Message}", exception);
+                FrameDeliveryEndReason.ContextGone, $"The window is gone: its context threw {exception.GetType()} for a post. {exception.Message}", exception);
         }
         finally
         {
