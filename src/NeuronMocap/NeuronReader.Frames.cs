@@ -53,6 +53,37 @@ public sealed partial class NeuronReader
     /// <returns>A new view, for one thread; dispose it when you no longer use it.</returns>
     public LatestFrames OpenLatest() => _pipeline.OpenLatest();
 
+    /// <summary>
+    /// Opens a delivery of frames and changes of status to handlers on a window's thread, for example of Windows Forms, WPF, Avalonia or MAUI. Open it
+    /// before or after the reader starts. To get the first frame too, open it before.
+    /// </summary>
+    /// <param name="options">How to deliver; copied. Null for every frame, on the context of this thread.</param>
+    /// <returns>A new delivery; add handlers to its events. Dispose it when the window closes, or dispose the reader.</returns>
+    /// <exception cref="InvalidOperationException">
+    /// This thread has no <see cref="SynchronizationContext"/>, and the options name none; the message says what to set.
+    /// </exception>
+    /// <exception cref="ArgumentException">An option is out of range; the message names it.</exception>
+    public FrameDelivery OpenDelivery(FrameDeliveryOptions? options = null) => OpenDeliveryWith(options, new SystemDeliveryClock());
+
+    // Tests have their own clock.
+    internal FrameDelivery OpenDeliveryWith(FrameDeliveryOptions? options, DeliveryClock clock)
+    {
+        FrameDeliveryOptions how = options?.Copy() ?? new FrameDeliveryOptions();
+        if (how.FindFault() is { } fault)
+            throw new ArgumentException(fault, nameof(options));
+
+        FrameDelivery delivery = _pipeline.OpenDelivery(how, clock, ended => _statusHandlers.Remove(ended.OnStatus));
+        _statusHandlers.Add(delivery.OnStatus);
+
+        // A reader that has stopped changes its status no more.
+        if (Status.State == ConnectionState.Stopped)
+            delivery.OnReaderStopped();
+        else if (delivery.End is not null)
+            _statusHandlers.Remove(delivery.OnStatus);
+
+        return delivery;
+    }
+
     /// <summary>Enumerates motion frames as they arrive. Starts the reader if it is not running. Each frame is a copy that stays valid.</summary>
     /// <param name="cancellationToken">Ends the enumeration with an <see cref="OperationCanceledException"/>; the reader continues.</param>
     /// <returns>

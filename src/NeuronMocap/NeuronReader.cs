@@ -14,10 +14,11 @@ namespace NeuronMocap;
 
 /// <summary>Receives the motion capture stream of Axis Neuron, Axis Studio or a simulator, and delivers its frames to the application.</summary>
 /// <remarks>
-/// <para>Make a reader, choose how to receive frames, start it, and dispose it at the end. There are four ways to receive frames:</para>
+/// <para>Make a reader, choose how to receive frames, start it, and dispose it at the end. There are five ways to receive frames:</para>
 /// <list type="bullet">
 /// <item><description><see cref="OpenQueue"/> delivers every frame to one thread when it asks for frames, as in a main loop.</description></item>
 /// <item><description><see cref="OpenLatest"/> delivers the newest frame of each avatar, as for a renderer.</description></item>
+/// <item><description><see cref="OpenDelivery"/> calls handlers on a window's thread.</description></item>
 /// <item><description>
 /// <see cref="MotionReceived"/>, <see cref="CalculationReceived"/> and <see cref="StudioCalculationReceived"/> call a handler on the receive thread. This
 /// is the shortest way.
@@ -25,7 +26,7 @@ namespace NeuronMocap;
 /// <item><description><see cref="ReadMotionAsync"/> and its variants are for code that awaits.</description></item>
 /// </list>
 /// <para>
-/// You can mix them, and open and close them while the reader runs. The first three allocate nothing per frame.
+/// You can mix them, and open and close them while the reader runs. The first four allocate nothing per frame.
 /// </para>
 /// <para>
 /// A reader has one connection or one UDP port, and a second one if <see cref="NeuronReaderOptions.CalculationPort"/> is set. A program can have any

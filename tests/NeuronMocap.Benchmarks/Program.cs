@@ -57,6 +57,9 @@ var speeds = new Option<double[]>("--speeds") { Description = "Speeds.", Default
 var playback = new Command("playback", "How exactly a recording is played, and what it costs.") { speeds, seconds, json };
 playback.SetAction((result, _) => Playback.RunAsync(result.GetValue(speeds)!, result.GetValue(seconds), Open(result)));
 
+var window = new Command("window", "Delivery on a window's thread: cost of a frame there, and the wait of other messages.") { seconds, runs, json };
+window.SetAction((result, _) => Window.RunAsync(result.GetValue(seconds), result.GetValue(runs), Open(result)));
+
 var micro = new Command("micro", "The steps of the receive path one by one, by BenchmarkDotNet.");
 micro.SetAction(_ => { BenchmarkRunner.Run<ReceivePathBenchmarks>(ReceivePathBenchmarks.Config); });
 
@@ -103,7 +106,7 @@ sinks.SetAction(result => Sinks.Run(result.GetValue(port), result.GetValue(conne
 
 return await new RootCommand("Measures the receive path as ratios to a floor that is measured in the same run.")
     {
-        throughput, latency, streams, avatars, consumers, broadcast, decode, bvh, kinematics, retarget, recording, playback, native, micro, flood, pace, sinks,
+        throughput, latency, streams, avatars, consumers, broadcast, decode, bvh, kinematics, retarget, recording, playback, window, native, micro, flood, pace, sinks,
     }
     .Parse(args)
     .InvokeAsync();

@@ -10,7 +10,7 @@ mkdir -p "$out"
 
 for build in net8.0 netstandard2.1; do
     dotnet build -c Release -v quiet -p:LibraryFramework="$build" -o "$scratch/$build"
-    for command in bvh decode avatars consumers throughput latency streams broadcast kinematics retarget record; do
+    for command in bvh decode avatars consumers throughput latency streams broadcast kinematics retarget record window; do
         dotnet "$scratch/$build/NeuronMocap.Benchmarks.dll" "$command" --json "$out/$build-$command.json"
     done
 done

@@ -1,12 +1,14 @@
 namespace NeuronMocap.Delivery;
 
-// The handlers of one event. Each call is separate, so an exception from one handler stops neither the other handlers nor the caller.
-internal class HandlerList<T>(Action<Exception> failed)
+// The handlers of one event. Any thread adds and removes; the array is replaced and never changed.
+internal class HandlerSet<T>
 {
     private readonly object _lock = new();
     private volatile Action<T>[] _handlers = [];
 
     public bool IsEmpty => _handlers.Length == 0;
+
+    public Action<T>[] All => _handlers;
 
     public void Add(Action<T>? handler)
     {
@@ -27,10 +29,14 @@ internal class HandlerList<T>(Action<Exception> failed)
                 _handlers = [.. _handlers.AsSpan(0, index), .. _handlers.AsSpan(index + 1)];
         }
     }
+}
 
+// Each call is separate, so an exception from one handler stops neither the other handlers nor the caller.
+internal class HandlerList<T>(Action<Exception> failed) : HandlerSet<T>
+{
     public void Invoke(T argument)
     {
-        foreach (Action<T> handler in _handlers)
+        foreach (Action<T> handler in All)
         {
             try
             {

@@ -16,17 +16,22 @@ internal sealed class LatestPacket(int slotSize)
     private readonly PacketSlots _slots = new(3, slotSize);
     private Owners _owners = new() { Producers = 0, Shared = 1, Consumers = 2 };
 
-    // Producer.
-    public void Publish(in ReceivedPacket packet)
+    // Whether a packet was published that the consumer has not taken. Any thread.
+    public bool IsFresh => (Volatile.Read(ref _owners.Shared) & Fresh) != 0;
+
+    // Producer. Returns true if the packet replaced one that the consumer has not taken.
+    public bool Publish(in ReceivedPacket packet)
     {
         _slots.Store(_owners.Producers, packet);
-        _owners.Producers = Interlocked.Exchange(ref _owners.Shared, _owners.Producers | Fresh) & IndexMask;
+        int replaced = Interlocked.Exchange(ref _owners.Shared, _owners.Producers | Fresh);
+        _owners.Producers = replaced & IndexMask;
+        return (replaced & Fresh) != 0;
     }
 
     // Consumer. Returns false if nothing was published since the last call that returned true. The packet of that call then stays valid.
     public bool TryTake(out ReceivedPacket packet)
     {
-        if ((Volatile.Read(ref _owners.Shared) & Fresh) == 0)
+        if (!IsFresh)
         {
             packet = default;
             return false;

@@ -27,6 +27,7 @@ internal sealed class ReceivePipeline : IPacketReceiver, ILinkListener, IReaderS
     private readonly object? _receiveLock;
     private readonly StreamCounters _counters;
     private readonly PacketDispatcher _dispatcher;
+    private readonly DeliveryList _deliveries = new();
     private readonly object _lock = new();
     private volatile bool _stopped;
 
@@ -180,8 +181,12 @@ internal sealed class ReceivePipeline : IPacketReceiver, ILinkListener, IReaderS
 
     public void OnLinkClosed() => Commands.OnLinkClosed();
 
-    // After this call nothing is delivered, even if the receive thread still has bytes; it only counts the packets.
-    public void Stop() => _stopped = true;
+    // After this call nothing is delivered, even if the receive thread still has bytes; it only counts the packets. No handler of a delivery begins.
+    public void Stop()
+    {
+        _stopped = true;
+        _deliveries.EndAll();
+    }
 
     // Called when no more packets will arrive.
     public void End() => _counters.Queues.CompleteAdding();
@@ -203,6 +208,37 @@ internal sealed class ReceivePipeline : IPacketReceiver, ILinkListener, IReaderS
         var latest = new LatestFrames(_format, _dispatcher.Remove, _metrics.HandOver("latest"));
         _dispatcher.Add(latest);
         return latest;
+    }
+
+    // closed: called when the delivery ends.
+    public FrameDelivery OpenDelivery(FrameDeliveryOptions options, DeliveryClock clock, Action<FrameDelivery> closed)
+    {
+        FrameDelivery? delivery = null;
+        FrameQueue? queue = null;
+        IDeliverySource source;
+        if (options.Mode == FrameDeliveryMode.Newest)
+        {
+            source = new NewestSource(_format, options.MaxRate, _metrics.HandOver(options.Name));
+        }
+        else
+        {
+            Func<bool>? backPressure = _backPressure is null ? null : () => _backPressure() && delivery!.MayRun;
+            queue = new FrameQueue(options.Capacity, _format, _counters.Queues.Remove, options.Name, _metrics.HandOver(options.Name), backPressure);
+            source = new QueueSource(queue);
+        }
+
+        delivery = new FrameDelivery(options, source, clock, ended =>
+        {
+            _dispatcher.Remove(ended);
+            _deliveries.Remove(ended);
+            closed(ended);
+        });
+        if (queue is not null)
+            _counters.Queues.Add(queue);
+
+        _dispatcher.Add(delivery);
+        _deliveries.Add(delivery);
+        return delivery;
     }
 
     public ReaderStatistics GetStatistics() => _counters.Snapshot() with { RefusedDatagrams = _senders.RefusedDatagrams };

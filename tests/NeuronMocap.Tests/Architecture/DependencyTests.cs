@@ -18,6 +18,8 @@ public sealed class DependencyTests
         ["Transport"] = ["Protocol", "Protocol/Text"],
         ["Frames"] = ["Protocol", "Skeleton"],
         ["Delivery"] = ["Frames", "Protocol", "Skeleton"],
+        ["Delivery/OnContext"] = ["Delivery", "Frames", "Protocol", "Skeleton", "Transport"],
+        ["Binding"] = ["", "Delivery", "Delivery/OnContext", "Protocol", "Transport"],
         ["Diagnostics"] = ["Frames", "Protocol", "Transport"],
         ["Files"] = [],
         ["Files/Bvh"] = ["Files", "Frames", "Protocol", "Protocol/Text", "Skeleton"],
@@ -30,7 +32,7 @@ public sealed class DependencyTests
         ["Telemetry"] = ["Delivery", "Files", "Files/Recording", "Protocol", "Transport"],
         ["Reader"] =
         [
-            "", "Commands", "Delivery", "Diagnostics", "Files", "Files/Bvh", "Files/Recording", "Frames", "Protocol", "Protocol/Text", "Skeleton", "Telemetry",
+            "", "Commands", "Delivery", "Delivery/OnContext", "Diagnostics", "Files", "Files/Bvh", "Files/Recording", "Frames", "Protocol", "Protocol/Text", "Skeleton", "Telemetry",
             "Transport",
         ],
     });

@@ -4,6 +4,7 @@ using NeuronMocap.Protocol;
 using NeuronMocap.Reader;
 using NeuronMocap.Skeleton;
 using NeuronMocap.Telemetry;
+using NeuronMocap.Tests.Delivery;
 using NeuronMocap.Transport;
 
 namespace NeuronMocap.Tests.Reader;
@@ -34,7 +35,10 @@ public sealed class PacketFateTests
             ReferenceReading expected = ReferenceScanner.Read(bytes, WireStream.MaxValues);
             ReceivePipeline pipeline = Create();
             using FrameQueue queue = pipeline.OpenQueue(one.Capacity, "fates");
-            int stoppedAt = Push(one, bytes, pipeline, queue);
+            var window = new ManualContext();
+            FrameDelivery every = Open(pipeline, window, FrameDeliveryMode.EveryFrame, one.Capacity);
+            FrameDelivery newest = Open(pipeline, window, FrameDeliveryMode.Newest, one.Capacity);
+            int stoppedAt = Push(one, bytes, pipeline, queue, window);
             ReferenceReading beforeStop = ReferenceScanner.Read(bytes[..stoppedAt], WireStream.MaxValues);
 
             ReaderStatistics statistics = pipeline.GetStatistics();
@@ -44,7 +48,9 @@ public sealed class PacketFateTests
             Assert.Equal(expected.Packets.Count - beforeStop.Packets.Count, statistics.Undelivered);
             Assert.Equal(beforeStop.Packets.Count(IsFrame), frames);
             Assert.Equal(frames, queue.Delivered + queue.Dropped + queue.Count);
-            Assert.Equal(queue.Dropped, statistics.Dropped);
+            Assert.Equal(frames, every.Delivered + every.Dropped + every.Pending);
+            Assert.Equal(frames, newest.Delivered + newest.Dropped + newest.Replaced + newest.Pending);
+            Assert.Equal(queue.Dropped + every.Dropped, statistics.Dropped);
             if (stoppedAt == bytes.Length)
             {
                 Assert.Equal((bytes.Length - expected.Pending, expected.Skipped), (statistics.BytesReceived, statistics.BytesSkipped));
@@ -65,7 +71,7 @@ public sealed class PacketFateTests
     }
 
     // Returns the number of bytes that were pushed before the reader stopped.
-    private static int Push(FateCase one, byte[] bytes, ReceivePipeline pipeline, FrameQueue queue)
+    private static int Push(FateCase one, byte[] bytes, ReceivePipeline pipeline, FrameQueue queue, ManualContext window)
     {
         var assembler = new PacketAssembler(new PacketScanner(WireStream.MaxValues), pipeline);
         int pushed = 0;
@@ -81,12 +87,18 @@ public sealed class PacketFateTests
 
             assembler.Push(bytesOfPiece, timestamp: piece);
             pushed += bytesOfPiece.Count;
-            if (++piece % one.PumpEvery == 0)
-                queue.Pump<AvatarFrame>(static _ => { });
+            if (++piece % one.PumpEvery != 0)
+                continue;
+
+            queue.Pump<AvatarFrame>(static _ => { });
+            window.RunAll();
         }
 
         return stoppedAt ?? pushed;
     }
+
+    private static FrameDelivery Open(ReceivePipeline pipeline, SynchronizationContext window, FrameDeliveryMode mode, int capacity) =>
+        pipeline.OpenDelivery(new FrameDeliveryOptions { Context = window, Mode = mode, Capacity = capacity }, new FakeDeliveryClock(), static _ => { });
 
     private static bool IsFrame(FoundPacket packet) => packet.Kind != PacketKind.Command && packet.Bytes.Length > ProtocolConstants.HeaderSize;
 

@@ -1,0 +1,44 @@
+using System.Diagnostics;
+
+namespace NeuronMocap.Delivery;
+
+// The time and a timer. Tests have their own.
+internal abstract class DeliveryClock : IDisposable
+{
+    // Called by the timer, on any thread. It must be set before the timer is.
+    public Action? Elapsed { get; set; }
+
+    // In ticks of Stopwatch.
+    public abstract long Now { get; }
+
+    // Sets the timer to call Elapsed once, after this many ticks. This replaces an earlier setting.
+    public abstract void Set(long ticks);
+
+    public abstract void Dispose();
+}
+
+internal sealed class SystemDeliveryClock : DeliveryClock
+{
+    private readonly Timer _timer;
+
+    public SystemDeliveryClock() =>
+        _timer = new Timer(static clock => ((SystemDeliveryClock)clock!).Elapsed?.Invoke(), this, Timeout.Infinite, Timeout.Infinite);
+
+    public override long Now => Stopwatch.GetTimestamp();
+
+    public override void Set(long ticks)
+    {
+        // Rounded up: an early call would find nothing due.
+        long milliseconds = (Math.Max(ticks, 0) * 1000 / Stopwatch.Frequency) + 1;
+        try
+        {
+            _timer.Change(milliseconds, Timeout.Infinite);
+        }
+        catch (ObjectDisposedException)
+        {
+            // Closed at the same time on another thread; nothing is due any more.
+        }
+    }
+
+    public override void Dispose() => _timer.Dispose();
+}

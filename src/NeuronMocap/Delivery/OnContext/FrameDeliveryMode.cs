@@ -1,0 +1,11 @@
+namespace NeuronMocap;
+
+/// <summary>Which frames a <see cref="FrameDelivery"/> delivers.</summary>
+public enum FrameDeliveryMode
+{
+    /// <summary>Every frame, in order. Frames that wait for the context are in a bounded queue.</summary>
+    EveryFrame,
+
+    /// <summary>The newest frame of each avatar. A newer frame replaces a frame that was not delivered yet.</summary>
+    Newest,
+}

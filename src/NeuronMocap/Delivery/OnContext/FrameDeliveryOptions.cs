@@ -1,0 +1,63 @@
+namespace NeuronMocap;
+
+/// <summary>Options of <see cref="NeuronReader.OpenDelivery"/>. The values are copied when the delivery is opened.</summary>
+public sealed class FrameDeliveryOptions
+{
+    internal const string DefaultName = "delivery";
+
+    private const double FastestRate = 1000;
+
+    /// <summary>
+    /// The context on which handlers run. Null, the default, means the <see cref="SynchronizationContext.Current"/> of the thread that opens the delivery.
+    /// </summary>
+    public SynchronizationContext? Context { get; set; }
+
+    /// <summary>
+    /// A function that posts an action to the window's thread, instead of <see cref="Context"/>. It must return without running the action and without
+    /// waiting. It returns false, or throws, if the window is gone; the delivery then ends. Null, the default, for none.
+    /// </summary>
+    /// <remarks>
+    /// The function is called on the receive thread, on the window's thread, and on pool threads, but never twice at the same time. It gets the same
+    /// <see cref="Action"/> each time.
+    /// </remarks>
+    public Func<Action, bool>? Post { get; set; }
+
+    /// <summary>Which frames are delivered. The default is <see cref="FrameDeliveryMode.EveryFrame"/>.</summary>
+    public FrameDeliveryMode Mode { get; set; }
+
+    /// <summary>
+    /// With <see cref="FrameDeliveryMode.Newest"/>, the largest number of frames per second for each avatar, on average: 0 to 1000. With 0, the default,
+    /// frames are delivered as fast as they arrive and the context runs.
+    /// </summary>
+    public double MaxRate { get; set; }
+
+    /// <summary>
+    /// With <see cref="FrameDeliveryMode.EveryFrame"/>, the largest number of frames that can wait: 1 to 1,048,576, rounded up to a power of two. The
+    /// default is <see cref="FrameQueue.DefaultCapacity"/>.
+    /// </summary>
+    public int Capacity { get; set; } = FrameQueue.DefaultCapacity;
+
+    /// <summary>
+    /// Name of the delivery in metrics and logs. Queues and deliveries of the same name are counted together. Use few names, and keep them the same. The
+    /// default is "delivery".
+    /// </summary>
+    public string Name { get; set; } = DefaultName;
+
+    internal FrameDeliveryOptions Copy() => (FrameDeliveryOptions)MemberwiseClone();
+
+    internal string? FindFault()
+    {
+        if (Context is not null && Post is not null)
+            return "Context and Post are both set; set one of them.";
+        if (!Enum.IsDefined(typeof(FrameDeliveryMode), Mode))
+            return $"Mode is {Mode}; it must be EveryFrame or Newest.";
+        if (!(MaxRate is >= 0 and <= FastestRate))
+            return FormattableString.Invariant($"MaxRate is {MaxRate}; it must be 0 to 1000 frames per second.");
+        if (MaxRate > 0 && Mode != FrameDeliveryMode.Newest)
+            return "MaxRate requires the mode Newest; EveryFrame leaves no frame out.";
+        if (Capacity is < 1 or > 1 << 20)
+            return $"Capacity is {Capacity}; it must be 1 to 1,048,576 frames.";
+
+        return string.IsNullOrWhiteSpace(Name) ? "Name is empty; set a name." : null;
+    }
+}
