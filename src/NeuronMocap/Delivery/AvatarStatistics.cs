@@ -70,5 +70,5 @@ public readonly record struct AvatarStatistics
     /// <param name="timestamp">The current time, in ticks of <see cref="Stopwatch"/>.</param>
     /// <returns>Time since the newest frame was received; zero if the given time is earlier.</returns>
     public TimeSpan GetAge(long timestamp) =>
-        TimeSpan.FromSeconds(Math.Max(timestamp - LastTimestamp, 0) / (double)Stopwatch.Frequency);
+        PreciseTime.FromSeconds(Math.Max(timestamp - LastTimestamp, 0) / (double)Stopwatch.Frequency);
 }

@@ -62,7 +62,7 @@ internal sealed class AvatarTracker(
         Restarts = _index.Restarts,
         FrequencyReduction = _index.Step,
         FrameRate = Volatile.Read(ref _interval) is > 0 and var interval ? 1 / interval : 0,
-        Jitter = TimeSpan.FromSeconds(Math.Sqrt(Math.Max(0, Volatile.Read(ref _variance)))),
+        Jitter = PreciseTime.FromSeconds(Math.Sqrt(Math.Max(0, Volatile.Read(ref _variance)))),
         LastTimestamp = Volatile.Read(ref _lastTimestamp),
     };
 

@@ -89,5 +89,5 @@ public readonly record struct ReaderStatistics
     public long LastFrameTimestamp { get; init; }
 
     /// <summary>Time from the first frame to the newest.</summary>
-    public TimeSpan Duration => TimeSpan.FromSeconds((LastFrameTimestamp - FirstFrameTimestamp) / (double)Stopwatch.Frequency);
+    public TimeSpan Duration => PreciseTime.FromSeconds((LastFrameTimestamp - FirstFrameTimestamp) / (double)Stopwatch.Frequency);
 }

@@ -48,7 +48,7 @@ internal sealed class AvatarSample(PacketKind kind, int sender, uint index)
         _ => 0,
     };
 
-    public TimeSpan LongestGap => TimeSpan.FromSeconds(_longest / (double)Stopwatch.Frequency);
+    public TimeSpan LongestGap => PreciseTime.FromSeconds(_longest / (double)Stopwatch.Frequency);
 
     // The step of the frame index from frame to frame. It is more than 1 if the server sends every second or third frame but counts all of them.
     public int Step => _tracker.Step;

@@ -53,7 +53,7 @@ public abstract class AvatarFrame
     public long Timestamp => _data.WhileValid(_timestamp);
 
     /// <summary>Time since the frame was received.</summary>
-    public TimeSpan Age => TimeSpan.FromSeconds((Stopwatch.GetTimestamp() - Timestamp) / (double)Stopwatch.Frequency);
+    public TimeSpan Age => PreciseTime.FromSeconds((Stopwatch.GetTimestamp() - Timestamp) / (double)Stopwatch.Frequency);
 
     /// <summary>
     /// Number of the sender that the frame came from. Over UDP, 0 is the first server that sent, and 1 is the next; over TCP it is always 0.

@@ -33,7 +33,7 @@ public sealed class CalculationFrame : AvatarFrame
     {
         byte[] packet = new byte[(header with { ValueCount = values.Length }).PacketSize];
         PacketEncoder.WriteCalculation(packet, header, values);
-        Borrow(new ReceivedPacket(PacketKind.Calculation, new ArraySegment<byte>(packet), Stopwatch.GetTimestamp(), origin: 0));
+        Borrow(new ReceivedPacket(PacketKind.Calculation, packet, Stopwatch.GetTimestamp(), origin: 0));
     }
 
     internal CalculationFrame()

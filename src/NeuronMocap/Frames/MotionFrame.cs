@@ -31,7 +31,7 @@ public sealed class MotionFrame : AvatarFrame
     {
         byte[] packet = new byte[(header with { ValueCount = values.Length }).PacketSize];
         PacketEncoder.WriteMotion(packet, header, values);
-        Borrow(new ReceivedPacket(PacketKind.Motion, new ArraySegment<byte>(packet), Stopwatch.GetTimestamp(), origin: 0));
+        Borrow(new ReceivedPacket(PacketKind.Motion, packet, Stopwatch.GetTimestamp(), origin: 0));
     }
 
     internal MotionFrame(FrameFormat format) => _source = format;

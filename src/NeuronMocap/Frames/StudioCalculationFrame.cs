@@ -29,7 +29,7 @@ public sealed class StudioCalculationFrame : AvatarFrame
     {
         byte[] packet = new byte[ProtocolConstants.HeaderSize + payload.Length];
         PacketEncoder.WriteStudioCalculation(packet, header, payload);
-        Borrow(new ReceivedPacket(PacketKind.StudioCalculation, new ArraySegment<byte>(packet), Stopwatch.GetTimestamp(), origin: 0));
+        Borrow(new ReceivedPacket(PacketKind.StudioCalculation, packet, Stopwatch.GetTimestamp(), origin: 0));
     }
 
     internal StudioCalculationFrame()

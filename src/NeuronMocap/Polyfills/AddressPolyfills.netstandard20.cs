@@ -1,6 +1,7 @@
 using System.Diagnostics.CodeAnalysis;
+using System.Net;
 
-namespace System.Net;
+namespace NeuronMocap.Polyfills;
 
 internal static class AddressPolyfills
 {

@@ -1,6 +1,6 @@
 using System.Diagnostics.CodeAnalysis;
 
-namespace System.Collections.Generic;
+namespace NeuronMocap.Polyfills;
 
 // Members of collections that netstandard2.0 lacks.
 internal static class CollectionPolyfills

@@ -1,4 +1,6 @@
-namespace System.Text;
+using System.Text;
+
+namespace NeuronMocap.Polyfills;
 
 // Conversions between spans and text. They copy: programs read names and messages this way, never frames.
 internal static class EncodingPolyfills

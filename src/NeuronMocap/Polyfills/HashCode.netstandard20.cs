@@ -1,4 +1,4 @@
-namespace System;
+namespace NeuronMocap.Polyfills;
 
 internal static class HashCode
 {

@@ -1,4 +1,4 @@
-namespace System;
+namespace NeuronMocap.Polyfills;
 
 // The functions in double precision, rounded once to single precision.
 internal static class MathF

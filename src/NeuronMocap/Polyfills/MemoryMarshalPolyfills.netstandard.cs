@@ -1,4 +1,6 @@
-namespace System.Runtime.InteropServices;
+using System.Runtime.InteropServices;
+
+namespace NeuronMocap.Polyfills;
 
 internal static class MemoryMarshalPolyfills
 {

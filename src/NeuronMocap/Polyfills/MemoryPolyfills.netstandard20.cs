@@ -1,4 +1,4 @@
-namespace System;
+namespace NeuronMocap.Polyfills;
 
 // Members of arrays, segments and other types of bytes that netstandard2.0 lacks.
 internal static class MemoryPolyfills

@@ -1,7 +1,8 @@
 using System.Globalization;
 using System.Runtime.CompilerServices;
+using System.Runtime.InteropServices;
 
-namespace System;
+namespace NeuronMocap.Polyfills;
 
 // Members of number types that netstandard2.0 lacks.
 internal static class NumberPolyfills
@@ -49,6 +50,6 @@ internal static class NumberPolyfills
         public static float Int32BitsToSingle(int value) => Unsafe.As<int, float>(ref value);
 
         public static bool TryWriteBytes(Span<byte> destination, uint value) =>
-            Runtime.InteropServices.MemoryMarshal.TryWrite(destination, ref value);
+            MemoryMarshal.TryWrite(destination, ref value);
     }
 }

@@ -1,7 +1,8 @@
 using System.Buffers;
+using System.Net.Sockets;
 using System.Runtime.InteropServices;
 
-namespace System.Net.Sockets;
+namespace NeuronMocap.Polyfills;
 
 // Members of sockets that netstandard2.0 lacks.
 internal static class SocketPolyfills

@@ -1,6 +1,6 @@
 using System.Buffers;
 
-namespace System.IO;
+namespace NeuronMocap.Polyfills;
 
 // Reads and writes of spans, through a rented array.
 internal static class StreamPolyfills

@@ -1,6 +1,6 @@
 using System.Text;
 
-namespace System;
+namespace NeuronMocap.Polyfills;
 
 // Members of strings that netstandard2.0 lacks. Those that take a comparison are only called with the ordinal ones.
 internal static class StringPolyfills

@@ -1,6 +1,6 @@
 using System.Runtime.InteropServices;
 
-namespace System;
+namespace NeuronMocap.Polyfills;
 
 // Detects the operating system; the names are those of later frameworks.
 internal static class SystemKinds

@@ -1,4 +1,4 @@
-namespace System.Threading.Tasks;
+namespace NeuronMocap.Polyfills;
 
 internal static class TaskPolyfills
 {

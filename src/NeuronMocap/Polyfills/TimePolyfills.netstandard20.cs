@@ -1,4 +1,4 @@
-namespace System;
+namespace NeuronMocap.Polyfills;
 
 // Members of TimeSpan, DateTimeOffset and Guid that netstandard2.0 lacks.
 internal static class TimePolyfills

@@ -43,7 +43,9 @@ public readonly struct AvatarName : IEquatable<AvatarName>
     /// <param name="destination">At least 32 bytes.</param>
     public void CopyTo(Span<byte> destination)
     {
-        MemoryMarshal.Write(destination, in this);
+        Span<byte> bytes = stackalloc byte[ProtocolConstants.AvatarNameSize];
+        MemoryMarshal.Write(bytes, in this);
+        bytes.CopyTo(destination);
     }
 
     /// <summary>Gets the text up to the first zero byte. Bytes that are not UTF-8 become replacement characters.</summary>

@@ -12,6 +12,11 @@ internal readonly struct ReceivedPacket(PacketKind kind, byte[] array, int offse
     {
     }
 
+    public ReceivedPacket(PacketKind kind, byte[] bytes, long timestamp, int origin)
+        : this(kind, bytes, offset: 0, bytes.Length, timestamp, origin)
+    {
+    }
+
     public readonly PacketKind Kind = kind;
 
     public readonly byte[] Array = array;

@@ -1,5 +1,6 @@
 using System.Net;
 using System.Net.Sockets;
+using System.Runtime.InteropServices;
 
 namespace NeuronMocap.Transport;
 
@@ -9,7 +10,7 @@ internal static class UdpSocket
     // Room for a burst of frames while the receive thread is busy: about half a second of 100 avatars at 60 Hz.
     public const int WantedBuffer = 4 * 1024 * 1024;
 
-    // Not read from the framework, which has no common way for both builds.
+    // Not read from the framework, which has no common way for all builds.
     public static readonly bool IsLinux = Environment.OSVersion.Platform == PlatformID.Unix && Directory.Exists("/proc/self");
 
     // Throws SocketException.
@@ -20,9 +21,9 @@ internal static class UdpSocket
         try
         {
             AskForBuffer(socket);
-            if (options.SharePort)
-                socket.SetSocketOption(SocketOptionLevel.Socket, SocketOptionName.ReuseAddress, optionValue: true);
 
+            // Set in either case: Mono shares every port of UDP unless told otherwise.
+            socket.SetSocketOption(SocketOptionLevel.Socket, SocketOptionName.ReuseAddress, options.SharePort);
             socket.Bind(new IPEndPoint(address, options.Port));
             return socket;
         }
@@ -33,12 +34,15 @@ internal static class UdpSocket
         }
     }
 
-    // The part of WantedBuffer that the system granted; null if it is unknown. Linux reports twice the size, which includes its own overhead.
+    private static readonly bool IsDotNet = RuntimeInformation.FrameworkDescription.StartsWith(".NET ", StringComparison.Ordinal);
+
+    // The part of WantedBuffer that the system granted; null if it is unknown. Linux reports twice the size, which includes its own overhead. Mono has
+    // halved it.
     public static int? ReadBuffer(Socket socket)
     {
         try
         {
-            return IsLinux ? socket.ReceiveBufferSize / 2 : socket.ReceiveBufferSize;
+            return IsLinux && IsDotNet ? socket.ReceiveBufferSize / 2 : socket.ReceiveBufferSize;
         }
         catch (SocketException)
         {

@@ -13,11 +13,12 @@ internal sealed class Report(string command, FileInfo? json)
 
     private readonly List<Row> _rows = [];
 
-    // The build of the library that is measured: net8.0 or netstandard2.1.
+    // The build of the library that is measured: net8.0, netstandard2.1 or netstandard2.0.
     private static string Build => typeof(NeuronReader).Assembly.GetCustomAttribute<TargetFrameworkAttribute>()!.FrameworkName switch
     {
         ".NETCoreApp,Version=v8.0" => "net8.0",
         ".NETStandard,Version=v2.1" => "netstandard2.1",
+        ".NETStandard,Version=v2.0" => "netstandard2.0",
         var other => other,
     };
 

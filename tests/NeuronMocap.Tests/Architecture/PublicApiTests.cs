@@ -4,7 +4,7 @@ namespace NeuronMocap.Tests.Architecture;
 
 /// <summary>
 /// Compares the public surface of each library with the text file of its name in PublicApi, whose diff shows how a change affects users. A line that
-/// only one of the two builds has starts with that build's name in brackets.
+/// not all builds have starts with the names of those that have it, in brackets.
 /// </summary>
 public sealed class PublicApiTests
 {
@@ -14,11 +14,11 @@ public sealed class PublicApiTests
     public void The_public_API_matches_its_file(string name) => PublicSurfaceFile.Check(Assembly.Load(name));
 
     /// <summary>
-    /// A framework type in a signature could differ between the builds. A library compiled against one build would then not find the member in the
-    /// other.
+    /// A framework type in a signature could differ between the builds. A library compiled against one build would then not find the member in
+    /// another.
     /// </summary>
     [Theory, MemberData(nameof(Assemblies))]
-    public void Both_builds_have_the_same_signatures_of_init_accessors(string name)
+    public void All_builds_have_the_same_signatures_of_init_accessors(string name)
     {
         var assembly = Assembly.Load(name);
         IEnumerable<string?> scopes = assembly.GetExportedTypes()

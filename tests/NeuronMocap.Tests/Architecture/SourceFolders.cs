@@ -9,7 +9,7 @@ internal static class SourceFolders
     // Types without a method body, such as enums and interfaces, name their documents in a record of this kind (Portable PDB format).
     private static readonly Guid TypeDocuments = new("932E74BC-DBA9-4478-8D46-0F32A7BAB3D3");
 
-    /// <summary>A type in several files has the folder nearest to the root. Types outside the root are omitted.</summary>
+    /// <summary>A type in several files has the folder nearest to the root. Types outside the root, and generated ones, are omitted.</summary>
     public static IReadOnlyDictionary<uint, string> Read(string assembly, string root)
     {
         using FileStream file = File.OpenRead(Path.ChangeExtension(assembly, ".pdb"));
@@ -47,6 +47,9 @@ internal static class SourceFolders
                 return;
 
             string inner = path[(start + root.Length)..];
+            if (inner.StartsWith("obj/", StringComparison.Ordinal))
+                return;
+
             string folder = inner[..Math.Max(0, inner.LastIndexOf('/'))];
             uint row = (uint)MetadataTokens.GetRowNumber(type);
             if (!folders.TryGetValue(row, out string? known) || folder.Length < known.Length)

@@ -2,6 +2,7 @@ using System.Globalization;
 using System.Text;
 using System.Text.RegularExpressions;
 using NeuronMocap.Protocol;
+using NeuronMocap.Tests.Protocol;
 
 namespace NeuronMocap.Tests.Infrastructure;
 
@@ -175,7 +176,7 @@ internal static class ReferenceText
         if (word.Length > 128)
             return null;
         if (Finite.IsMatch(word))
-            return float.Parse(word, CultureInfo.InvariantCulture);
+            return ExactDecimal.ToSingle(word);
         if (NotFinite.Match(word) is not { Success: true } match)
             return null;
 

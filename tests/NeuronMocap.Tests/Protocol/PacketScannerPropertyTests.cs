@@ -23,7 +23,7 @@ public sealed class PacketScannerPropertyTests
             refused += expected.Trace.Count - expected.Packets.Count - 1;
             pending += expected.Pending > 0 ? 1 : 0;
 
-            Assert.Equal(expected.Trace, StreamTrace.OfAssembler(bytes, [bytes], _scanner));
+            Assert.Equal(expected.Trace, StreamTrace.OfAssembler(bytes, [new ArraySegment<byte>(bytes)], _scanner));
             Assert.Equal(expected.Trace, StreamTrace.OfAssembler(bytes, stream.Cut(bytes), _scanner));
             if (bytes.Length < 10_000)
                 Assert.Equal(expected.Trace, StreamTrace.OfAssembler(bytes, Splits.Of(bytes, Splitting.ByteByByte).Single(), _scanner));

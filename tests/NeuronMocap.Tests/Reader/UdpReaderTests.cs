@@ -74,8 +74,8 @@ public sealed class UdpReaderTests
         await using NeuronReader reader = await StartAsync();
         using var other = new Socket(AddressFamily.InterNetwork, SocketType.Dgram, ProtocolType.Udp) { ReceiveBufferSize = 4 * 1024 * 1024 };
 
-        // Linux reports twice the granted size.
-        Assert.Equal(OperatingSystem.IsLinux() ? other.ReceiveBufferSize / 2 : other.ReceiveBufferSize, reader.Status.ReceiveBufferSize);
+        // Linux reports twice the granted size, which Mono halves.
+        Assert.Equal(OperatingSystem.IsLinux() && !Runtimes.IsMono ? other.ReceiveBufferSize / 2 : other.ReceiveBufferSize, reader.Status.ReceiveBufferSize);
         if (File.Exists("/proc/sys/net/core/rmem_max"))
         {
             int limit = int.Parse(await File.ReadAllTextAsync("/proc/sys/net/core/rmem_max", TestContext.Current.CancellationToken), provider: null);

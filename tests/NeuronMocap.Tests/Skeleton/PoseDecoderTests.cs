@@ -1,4 +1,5 @@
 using System.Numerics;
+using System.Runtime.InteropServices;
 using NeuronMocap.Skeleton;
 
 namespace NeuronMocap.Tests.Skeleton;
@@ -38,7 +39,7 @@ public sealed class PoseDecoderTests
             AssertReference(values, layout, order, body, world);
             foreach (Bone bone in BoneHierarchy.Bones)
             {
-                var angles = new Vector3(values.AsSpan(layout.GetRotationIndex(bone), 3));
+                var angles = MemoryMarshal.Cast<float, Vector3>(values.AsSpan(layout.GetRotationIndex(bone), 3))[0];
                 Assert.Equal(EulerAngles.ToQuaternion(angles, order), local[(int)bone].Rotation);
             }
         }
@@ -89,9 +90,9 @@ public sealed class PoseDecoderTests
         foreach (Bone bone in BoneHierarchy.Bones)
         {
             int index = layout.GetPositionIndex(bone);
-            Vector3 offset = index < 0 ? body.GetOffset(bone) : new Vector3(values.AsSpan(index, 3));
+            Vector3 offset = index < 0 ? body.GetOffset(bone) : MemoryMarshal.Cast<float, Vector3>(values.AsSpan(index, 3))[0];
             double[] position = [offset.X, offset.Y, offset.Z];
-            var rotation = ReferenceRotation.FromAngles(new Vector3(values.AsSpan(layout.GetRotationIndex(bone), 3)), order);
+            var rotation = ReferenceRotation.FromAngles(MemoryMarshal.Cast<float, Vector3>(values.AsSpan(layout.GetRotationIndex(bone), 3))[0], order);
             if (BoneHierarchy.GetParent(bone, body.Variant) is { } parent)
             {
                 double[] turned = rotations[(int)parent].Turn(position);

@@ -1,5 +1,4 @@
 using System.Reflection;
-using System.Runtime.Versioning;
 
 namespace NeuronMocap.Tests.Architecture;
 
@@ -8,18 +7,16 @@ internal static class PublicSurfaceFile
 {
     private const string UpdateVariable = "NEURONMOCAP_UPDATE_API";
 
-    private static readonly string[] Targets = ["[net8.0] ", "[netstandard2.1] "];
+    private static readonly string[] Targets = ["net8.0", "netstandard2.1", "netstandard2.0"];
 
     public static void Check(Assembly assembly)
     {
         string name = assembly.GetName().Name!;
-        string target = assembly.GetCustomAttribute<TargetFrameworkAttribute>()!.FrameworkName.StartsWith(".NETStandard", StringComparison.Ordinal)
-            ? Targets[1]
-            : Targets[0];
+        string target = LibraryBuild.FrameworkOf(assembly);
         string path = Repository.PathOf("tests", "NeuronMocap.Tests", "PublicApi", name + ".txt");
         string[] file = File.Exists(path) ? File.ReadAllLines(path) : [];
         IReadOnlyList<string> actual = PublicSurface.Of(assembly);
-        string[] expected = [.. file.Where(line => IsOf(line, target)).Select(line => Strip(line, target))];
+        string[] expected = [.. file.Where(line => IsOf(line, target)).Select(Strip)];
 
         if (Environment.GetEnvironmentVariable(UpdateVariable) is "1")
         {
@@ -35,26 +32,32 @@ internal static class PublicSurfaceFile
         Assert.True(
             differences.Length == 0,
             $"""
-            The public surface of {name} ({target.Trim()}) differs from tests/NeuronMocap.Tests/PublicApi/{name}.txt:
+            The public surface of {name} ({target}) differs from tests/NeuronMocap.Tests/PublicApi/{name}.txt:
             {string.Join(Environment.NewLine, differences)}
             If that is meant, run this test with {UpdateVariable}=1 to rewrite the file, and commit it with the change.
             """);
     }
 
-    private static bool IsOf(string line, string target) =>
-        line.StartsWith(target, StringComparison.Ordinal) || !Targets.Any(other => line.StartsWith(other, StringComparison.Ordinal));
+    // The builds that a line names in brackets; none if all have it.
+    private static string[] BuildsOf(string line)
+    {
+        int end = line.StartsWith('[') ? line.IndexOf("] ", StringComparison.Ordinal) : -1;
+        string[] builds = end < 0 ? [] : line[1..end].Split(' ');
+        return builds.All(static build => Targets.Contains(build, StringComparer.Ordinal)) ? builds : [];
+    }
 
-    private static string Strip(string line, string target) => line.StartsWith(target, StringComparison.Ordinal) ? line[target.Length..] : line;
+    private static bool IsOf(string line, string target) => BuildsOf(line) is var builds && (builds.Length == 0 || builds.Contains(target, StringComparer.Ordinal));
 
-    // A line marked as this build's own stays marked. A line of the other build stays marked unless this build now has it too.
+    private static string Strip(string line) => BuildsOf(line).Length == 0 ? line : line[(line.IndexOf("] ", StringComparison.Ordinal) + 2)..];
+
+    // A line marked as of this build stays marked. A line of other builds stays marked unless this build now has it too.
     private static IEnumerable<string> Updated(string[] file, IReadOnlyList<string> actual, string target)
     {
-        string other = Targets.Single(one => !string.Equals(one, target, StringComparison.Ordinal));
-        HashSet<string> own = [.. file.Where(line => line.StartsWith(target, StringComparison.Ordinal)).Select(line => line[target.Length..])];
+        Dictionary<string, string> own = file.Where(line => BuildsOf(line).Contains(target, StringComparer.Ordinal)).ToDictionary(Strip, StringComparer.Ordinal);
         return
         [
-            .. file.Where(line => !IsOf(line, target) && !actual.Contains(Strip(line, other), StringComparer.Ordinal)),
-            .. actual.Select(line => own.Contains(line) ? target + line : line),
+            .. file.Where(line => !IsOf(line, target) && !actual.Contains(Strip(line), StringComparer.Ordinal)),
+            .. actual.Select(line => own.GetValueOrDefault(line, line)),
         ];
     }
 }

@@ -43,7 +43,7 @@ internal sealed class ScanAll
         return scan;
     }
 
-    public static ScanAll Of(byte[] bytes, PacketScanner? scanner = null) => Of([bytes], scanner);
+    public static ScanAll Of(byte[] bytes, PacketScanner? scanner = null) => Of([new ArraySegment<byte>(bytes)], scanner);
 
     public void Feed(ReadOnlySpan<byte> piece)
     {

@@ -21,7 +21,7 @@ internal static class Splits
     /// <summary>Divides bytes: one list of pieces for each variant of the splitting.</summary>
     public static IEnumerable<IEnumerable<ArraySegment<byte>>> Of(byte[] bytes, Splitting splitting) => splitting switch
     {
-        Splitting.Whole => [[bytes]],
+        Splitting.Whole => [[new ArraySegment<byte>(bytes)]],
         Splitting.EverySplitInTwo => Enumerable.Range(1, Math.Max(0, bytes.Length - 1)).Select(at => SplitAt(bytes, at)),
         Splitting.ByteByByte => [Pieces(bytes, 1)],
         Splitting.PiecesOf3 => [Pieces(bytes, 3)],

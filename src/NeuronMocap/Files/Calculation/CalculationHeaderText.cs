@@ -46,7 +46,7 @@ internal static class CalculationHeaderText
 
         // The text after the last line end is not a line.
         text.Length--;
-        text.Append(FrameRateName).Append('\t').Append(rate.ToString("R", CultureInfo.InvariantCulture)).Append("\r\n");
+        text.Append(FrameRateName).Append('\t').Append(Shortest(rate)).Append("\r\n");
         byte[] bytes = new byte[text.Length];
         for (int i = 0; i < bytes.Length; i++)
             bytes[i] = (byte)text[i];
@@ -74,4 +74,16 @@ internal static class CalculationHeaderText
 
     private static bool TryParse(string word, out float value) =>
         float.TryParse(word, NumberStyles.Float, CultureInfo.InvariantCulture, out value) && !float.IsNaN(value) && !float.IsInfinity(value);
+
+    // Writes the fewest digits that are read as the same number again. On .NET Framework and Mono, the format "R" writes other digits, and sometimes loses
+    // the last one.
+    private static string Shortest(double number)
+    {
+        for (int digits = 15; ; digits++)
+        {
+            string text = number.ToString("G" + digits.ToString(CultureInfo.InvariantCulture), CultureInfo.InvariantCulture);
+            if (digits == 17 || double.Parse(text, CultureInfo.InvariantCulture).Equals(number))
+                return text;
+        }
+    }
 }

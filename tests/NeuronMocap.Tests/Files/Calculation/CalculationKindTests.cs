@@ -129,5 +129,15 @@ public sealed class CalculationKindTests
         Assert.Equal(2, document.RepairCount);
     }
 
+    // The framework's own text differs between runtimes.
+    [Theory]
+    [InlineData(120, "120")]
+    [InlineData(59.94, "59.94")]
+    [InlineData(120.48192771084338, "120.48192771084338")]
+    [InlineData(1 / 3d, "0.3333333333333333")]
+    [InlineData(0.84551240822557006, "0.8455124082255701")]
+    public void A_frame_rate_is_written_with_the_fewest_digits(double rate, string text) =>
+        Assert.Contains($"\t{text}\r\n", Encoding.UTF8.GetString(CalculationTextFormat.AxisNeuron.WithFrameRate(rate).Header.Span), StringComparison.Ordinal);
+
     private static CalculationDocument Parse(string text) => CalculationDocument.Parse(Encoding.ASCII.GetBytes(text));
 }

@@ -11,8 +11,8 @@ public sealed class CraftedRecordingTests
     // All allocations while the file is read, including garbage, for each of its bytes.
     [Theory]
     [InlineData("connections", 22)]
-    [InlineData("senders", 22)]
-    [InlineData("senders of connections that come and go", 22)]
+    [InlineData("senders", 28)]
+    [InlineData("senders of connections that come and go", 28)]
     [InlineData("removed senders", 2)]
     [InlineData("metadata", 2)]
     [InlineData("bytes of unknown connections", 32)]

@@ -13,12 +13,13 @@ internal sealed class HeldStream : MemoryStream
 
     public void LetGo() => _free.Set();
 
-    public override void Write(ReadOnlySpan<byte> buffer)
+    // Writes of spans also come here.
+    public override void Write(byte[] buffer, int offset, int count)
     {
         _isWaitedFor = !_free.IsSet;
         _free.Wait(Limits.Unexpected);
         _isWaitedFor = false;
-        base.Write(buffer);
+        base.Write(buffer, offset, count);
     }
 }
 
