@@ -52,10 +52,10 @@ public sealed class TelemetryProcessTests
         {
             using var program = new ToolProcess("Telemetry", $"--Collector={nobody}", $"--Seconds={seconds}");
             Task<string> output = program.Output.ReadToEndAsync();
-            string error = await program.ReadErrorAsync();
+            string errors = await program.ReadErrorAsync();
             await output;
             Assert.Equal(1, await program.WaitForExitAsync());
-            return error;
+            return errors;
         }
     }
 
