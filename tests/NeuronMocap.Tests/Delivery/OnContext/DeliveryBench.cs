@@ -40,7 +40,7 @@ internal sealed class DeliveryBench
     {
         get
         {
-            Assert.True(Delivery.Completion.IsCompletedSuccessfully);
+            Assert.Equal(TaskStatus.RanToCompletion, Delivery.Completion.Status);
             return Delivery.End!;
         }
     }

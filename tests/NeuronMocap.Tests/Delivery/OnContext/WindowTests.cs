@@ -90,7 +90,7 @@ public sealed class WindowTests
         scene.Window.Drain();
         Assert.Equal(Enumerable.Range(0, 20).Select(static index => (uint?)index), scene.Seen);
         ConnectionState[] expected = [ConnectionState.Waiting, ConnectionState.Connecting, ConnectionState.Connected, ConnectionState.Receiving];
-        await Limits.UntilAsync(() => scene.Window.Invoke(() => states.Count >= 4 && expected.SequenceEqual(states[^4..])));
+        await Limits.UntilAsync(() => scene.Window.Invoke(() => states.Count >= 4 && expected.SequenceEqual(states.Skip(states.Count - 4))));
 
         // The message that blocked the window counts too.
         Assert.InRange(scene.Window.MostOutstanding, 1, 2);
