@@ -24,7 +24,6 @@ internal sealed partial class MainWindow : Form
         _record.Click += (_, _) => ToggleRecording();
         _timer.Tick += (_, _) => ShowProgress();
         _timer.Start();
-
         // A recording ends with its reader. Dispose returns when the file is complete.
         FormClosed += (_, _) => { Disconnect(); _recorder?.Dispose(); _timer.Dispose(); };
         if (address is not null)
@@ -50,8 +49,7 @@ internal sealed partial class MainWindow : Form
             return;
         }
 
-        // A delivery calls its handlers on the thread that opens it. A screen shows 60 images a second, so this one leaves out further frames of an
-        // avatar. Rates and recordings still have every frame.
+        // Handlers run on the thread that opens the delivery. A screen shows 60 images a second; rates and recordings still have every frame.
         _delivery = _reader.OpenDelivery(new FrameDeliveryOptions { Mode = FrameDeliveryMode.Newest, MaxRate = 60 });
         _delivery.StatusChanged += status => (_status.Text, _skeleton.Enabled) = (status.Message, status.State == ConnectionState.Receiving);
         _delivery.MotionReceived += ShowFrame;
@@ -123,6 +121,8 @@ internal sealed partial class MainWindow : Form
         AvatarStatistics[] avatars = [.. reader.GetAvatarStatistics().Where(static avatar => avatar.Kind == PacketKind.Motion)];
         while (_list.Items.Count < avatars.Length)
             _list.Items.Add("");
+        while (_list.Items.Count > avatars.Length) // the reader forgets avatars to make room for others
+            _list.Items.RemoveAt(_list.Items.Count - 1);
         for (int i = 0; i < avatars.Length; i++)
         {
             string text = $"{avatars[i].AvatarName}: {avatars[i].FrameRate:0} frames/s, {avatars[i].Lost} lost";

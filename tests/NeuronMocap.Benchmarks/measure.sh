@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Measures the tables of docs/internals/performance.md again, for both builds of the library. Prints them, and writes every figure as JSON to a folder:
+# Measures the tables of docs/internals/performance.md again, for net8.0 and netstandard2.1. Prints them, and writes every figure as JSON to a folder:
 # the first argument, or "results". Takes about 25 minutes. During this time, the machine should do nothing else.
 set -euo pipefail
 out=$(realpath -m "${1:-results}")

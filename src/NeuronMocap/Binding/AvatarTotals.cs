@@ -5,9 +5,9 @@ internal readonly record struct AvatarTotals(string Name, double FrameRate, doub
 {
     private static readonly TimeSpan OldestFrame = TimeSpan.FromSeconds(1);
 
-    public AvatarTotals Add(in AvatarStatistics statistics, long now)
+    public AvatarTotals Add(in AvatarStatistics statistics, long now, bool isRunning)
     {
-        double rate = statistics.GetAge(now) > OldestFrame ? 0 : statistics.FrameRate;
+        double rate = isRunning && statistics.GetAge(now) <= OldestFrame ? statistics.FrameRate : 0;
         bool isMotion = statistics.Kind == PacketKind.Motion;
         return new AvatarTotals(
             isMotion || string.IsNullOrEmpty(Name) ? statistics.AvatarName : Name,

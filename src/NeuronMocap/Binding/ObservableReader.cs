@@ -158,7 +158,7 @@ public sealed class ObservableReader : INotifyPropertyChanged, IContextWork, IDi
     {
         _isDue = false;
         ConnectionStatus status = _reader.Status;
-        ShowAvatars();
+        ShowAvatars(isRunning: status.State != ConnectionState.Stopped);
         ShowStatus(status);
         if (status.State == ConnectionState.Stopped)
             Dispose();
@@ -180,7 +180,8 @@ public sealed class ObservableReader : INotifyPropertyChanged, IContextWork, IDi
         Set(ref _isConnected, status.IsConnected, IsConnectedChanged);
     }
 
-    private void ShowAvatars()
+    // After the end, nothing would update the rates again: they are 0.
+    private void ShowAvatars(bool isRunning)
     {
         long now = Stopwatch.GetTimestamp();
         _totals.Clear();
@@ -188,7 +189,7 @@ public sealed class ObservableReader : INotifyPropertyChanged, IContextWork, IDi
         {
             (int Sender, int AvatarIndex) key = (statistics.Sender, statistics.AvatarIndex);
             _totals.TryGetValue(key, out AvatarTotals totals);
-            _totals[key] = totals.Add(statistics, now);
+            _totals[key] = totals.Add(statistics, now, isRunning);
         }
 
         ReaderStatistics reader = _reader.GetStatistics();

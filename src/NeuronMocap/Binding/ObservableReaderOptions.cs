@@ -3,6 +3,7 @@ namespace NeuronMocap;
 /// <summary>Options of an <see cref="ObservableReader"/>. The values are copied when it is made.</summary>
 public sealed class ObservableReaderOptions
 {
+    private const double SlowestRate = 0.01;
     private const double FastestRate = 60;
 
     /// <summary>
@@ -17,7 +18,7 @@ public sealed class ObservableReaderOptions
     /// </summary>
     public Func<Action, bool>? Post { get; set; }
 
-    /// <summary>Largest number of updates per second, more than 0 and at most 60. The default is 4. A change of status does not wait.</summary>
+    /// <summary>Largest number of updates per second, 0.01 to 60. The default is 4. A change of status does not wait.</summary>
     public double UpdateRate { get; set; } = 4;
 
     internal ObservableReaderOptions Copy() => (ObservableReaderOptions)MemberwiseClone();
@@ -27,8 +28,8 @@ public sealed class ObservableReaderOptions
         if (Context is not null && Post is not null)
             return "Context and Post are both set; set one of them.";
 
-        return UpdateRate is > 0 and <= FastestRate
+        return UpdateRate is >= SlowestRate and <= FastestRate
             ? null
-            : FormattableString.Invariant($"UpdateRate is {UpdateRate}; it must be more than 0 and at most 60 updates per second.");
+            : FormattableString.Invariant($"UpdateRate is {UpdateRate}; it must be 0.01 to 60 updates per second.");
     }
 }

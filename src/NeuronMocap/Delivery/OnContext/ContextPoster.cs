@@ -1,14 +1,17 @@
 namespace NeuronMocap.Delivery;
 
-// The way to a window's thread: a context or a function of the application. One post at a time is outstanding, so one thread at a time calls Post.
+// The way to a window's thread: a context or a function of the application. One post at a time is outstanding. Calls of Post can still overlap: the window
+// can run a post, and need the next, before the call that posted it returns.
 internal sealed class ContextPoster
 {
+    [ThreadStatic]
+    private static ContextPoster? _posting;
+
     private readonly SynchronizationContext? _context;
     private readonly Func<Action, bool>? _post;
     private readonly SendOrPostCallback _callback;
     private readonly Action _run;
     private volatile Thread? _thread;
-    private volatile int _postingThread;
     private volatile bool _ranAtOnce;
 
     // thread: the context's thread, if it is known before the first run.
@@ -39,7 +42,8 @@ internal sealed class ContextPoster
     // Returns null if the post was taken, or else the reason why the delivery ends.
     public FrameDeliveryEnd? Post()
     {
-        _postingThread = Environment.CurrentManagedThreadId;
+        ContextPoster? outer = _posting;
+        _posting = this;
         try
         {
             if (_post is not null)
@@ -60,7 +64,7 @@ internal sealed class ContextPoster
         }
         finally
         {
-            _postingThread = 0;
+            _posting = outer;
         }
 
         return _ranAtOnce
@@ -75,7 +79,7 @@ internal sealed class ContextPoster
     // No barrier is needed: only the posting thread itself can find its own number here.
     private void OnRun(Action run)
     {
-        if (_postingThread == Environment.CurrentManagedThreadId)
+        if (ReferenceEquals(_posting, this))
         {
             _ranAtOnce = true;
             return;

@@ -28,11 +28,11 @@ internal sealed class SystemDeliveryClock : DeliveryClock
 
     public override void Set(long ticks)
     {
-        // Rounded up: an early call would find nothing due.
-        long milliseconds = (Math.Max(ticks, 0) * 1000 / Stopwatch.Frequency) + 1;
+        // Rounded up: an early call would find nothing due. After the longest time that a timer accepts, it does find nothing, and the timer is set again.
+        double milliseconds = Math.Min((Math.Max(ticks, 0) * 1000.0 / Stopwatch.Frequency) + 1, int.MaxValue);
         try
         {
-            _timer.Change(milliseconds, Timeout.Infinite);
+            _timer.Change((long)milliseconds, Timeout.Infinite);
         }
         catch (ObjectDisposedException)
         {

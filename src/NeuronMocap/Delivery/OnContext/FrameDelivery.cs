@@ -39,6 +39,7 @@ public sealed class FrameDelivery : IPacketConsumer, IContextWork, IDisposable
     private readonly Action<FrameDelivery> _closed;
     private readonly ContextRunner _runner;
     private volatile bool _isComplete;
+    private volatile bool _hasLast;
     private volatile FrameDeliveryEnd? _end;
 
     internal FrameDelivery(FrameDeliveryOptions options, IDeliverySource source, DeliveryClock clock, Action<FrameDelivery> closed)
@@ -131,10 +132,11 @@ public sealed class FrameDelivery : IPacketConsumer, IContextWork, IDisposable
         if (_end is not null)
             return;
 
-        _statuses.Add(status);
+        // In this order: a run in between must not deliver the last change before frames that wait.
         if (status.State == ConnectionState.Stopped)
             _isComplete = true;
 
+        _statuses.Add(status);
         _runner.Request(isUrgent: true);
     }
 
@@ -170,6 +172,7 @@ public sealed class FrameDelivery : IPacketConsumer, IContextWork, IDisposable
     {
         while (_end is null && HasStatus && _statuses.TryTake(out ConnectionStatus status))
         {
+            _hasLast |= status.State == ConnectionState.Stopped;
             InvokeAll(_statusHandlers, status);
             if (_clock.Now >= limit)
                 return;
@@ -183,7 +186,7 @@ public sealed class FrameDelivery : IPacketConsumer, IContextWork, IDisposable
                 return;
         }
 
-        if (_isComplete && _source.Pending == 0 && _statuses.IsEmpty)
+        if (_hasLast)
             OnReaderStopped();
     }
 
@@ -193,10 +196,11 @@ public sealed class FrameDelivery : IPacketConsumer, IContextWork, IDisposable
         if (_end is not null)
             return false;
 
-        if (HasStatus || (_isComplete && !hasFrames))
+        bool isUrgent = HasStatus || _hasLast;
+        if (isUrgent)
             due = 0;
 
-        return hasFrames || HasStatus || _isComplete;
+        return hasFrames || isUrgent;
     }
 
     void IContextWork.OnLost(FrameDeliveryEnd end) => Finish(end);

@@ -5,6 +5,7 @@ public sealed class FrameDeliveryOptions
 {
     internal const string DefaultName = "delivery";
 
+    private const double SlowestRate = 0.01;
     private const double FastestRate = 1000;
 
     /// <summary>
@@ -17,8 +18,8 @@ public sealed class FrameDeliveryOptions
     /// waiting. It returns false, or throws, if the window is gone; the delivery then ends. Null, the default, for none.
     /// </summary>
     /// <remarks>
-    /// The function is called on the receive thread, on the window's thread, and on pool threads, but never twice at the same time. It gets the same
-    /// <see cref="Action"/> each time.
+    /// The function must be thread-safe. It is called on the receive thread, on the window's thread, and on pool threads; calls can overlap. It gets the
+    /// same <see cref="Action"/> each time.
     /// </remarks>
     public Func<Action, bool>? Post { get; set; }
 
@@ -26,7 +27,7 @@ public sealed class FrameDeliveryOptions
     public FrameDeliveryMode Mode { get; set; }
 
     /// <summary>
-    /// With <see cref="FrameDeliveryMode.Newest"/>, the largest number of frames per second for each avatar, on average: 0 to 1000. With 0, the default,
+    /// With <see cref="FrameDeliveryMode.Newest"/>, the largest number of frames per second for each avatar, on average: 0, or 0.01 to 1000. With 0, the default,
     /// frames are delivered as fast as they arrive and the context runs.
     /// </summary>
     public double MaxRate { get; set; }
@@ -38,7 +39,7 @@ public sealed class FrameDeliveryOptions
     public int Capacity { get; set; } = FrameQueue.DefaultCapacity;
 
     /// <summary>
-    /// Name of the delivery in metrics and logs. Queues and deliveries of the same name are counted together. Use few names, and keep them the same. The
+    /// Name of the delivery in metrics and logs. Queues, and deliveries of every frame, of the same name are counted together. Use few names, and keep them the same. The
     /// default is "delivery".
     /// </summary>
     public string Name { get; set; } = DefaultName;
@@ -51,8 +52,8 @@ public sealed class FrameDeliveryOptions
             return "Context and Post are both set; set one of them.";
         if (!Enum.IsDefined(typeof(FrameDeliveryMode), Mode))
             return $"Mode is {Mode}; it must be EveryFrame or Newest.";
-        if (!(MaxRate is >= 0 and <= FastestRate))
-            return FormattableString.Invariant($"MaxRate is {MaxRate}; it must be 0 to 1000 frames per second.");
+        if (!(MaxRate is 0 or (>= SlowestRate and <= FastestRate)))
+            return FormattableString.Invariant($"MaxRate is {MaxRate}; it must be 0, or 0.01 to 1000 frames per second.");
         if (MaxRate > 0 && Mode != FrameDeliveryMode.Newest)
             return "MaxRate requires the mode Newest; EveryFrame leaves no frame out.";
         if (Capacity is < 1 or > 1 << 20)

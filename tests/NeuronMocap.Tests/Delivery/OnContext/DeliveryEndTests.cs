@@ -203,6 +203,36 @@ public sealed class DeliveryEndTests
         Assert.Equal(FrameDeliveryEndReason.NotPosted, bench.Delivery.End?.Reason);
     }
 
+    // The window runs a post, and gets the next, before the call that posted the first returns. That call then runs the post at once.
+    [Fact]
+    public void A_post_that_runs_at_once_is_noticed_while_another_post_is_made()
+    {
+        bool isFirst = true;
+        DeliveryBench? bench = null;
+        bench = new DeliveryBench(new FrameDeliveryOptions
+        {
+            Post = action =>
+            {
+                if (!isFirst)
+                    return true;
+
+                isFirst = false;
+                var window = new Thread(() =>
+                {
+                    action();
+                    bench!.Push(1);
+                });
+                window.Start();
+                window.Join();
+                action();
+                return true;
+            },
+        });
+        bench.Push(0);
+        Assert.Equal([0u], bench.Indices);
+        Assert.Equal(FrameDeliveryEndReason.NotPosted, bench.Delivery.End?.Reason);
+    }
+
     [Fact]
     public void Opening_without_a_context_names_what_to_set()
     {
@@ -222,6 +252,7 @@ public sealed class DeliveryEndTests
         AssertFault("Mode", static options => options.Mode = (FrameDeliveryMode)2);
         AssertFault("MaxRate", static options => (options.Mode, options.MaxRate) = (FrameDeliveryMode.Newest, -1));
         AssertFault("MaxRate", static options => (options.Mode, options.MaxRate) = (FrameDeliveryMode.Newest, double.NaN));
+        AssertFault("MaxRate", static options => (options.Mode, options.MaxRate) = (FrameDeliveryMode.Newest, 0.001));
         AssertFault("MaxRate", static options => (options.Mode, options.MaxRate) = (FrameDeliveryMode.Newest, 1001));
         AssertFault("MaxRate", static options => options.MaxRate = 30);
         AssertFault("Capacity", static options => options.Capacity = 0);

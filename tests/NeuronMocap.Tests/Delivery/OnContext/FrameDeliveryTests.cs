@@ -164,6 +164,30 @@ public sealed class FrameDeliveryTests
         Assert.Equal((1, true), (bench.Closed, bench.Clock.IsDisposed));
     }
 
+    // The window runs while the reader reports its end.
+    [Fact]
+    public async Task The_end_of_the_reader_follows_the_last_frame_of_a_window_that_runs_meanwhile()
+    {
+        for (int i = 0; i < 2_000; i++)
+        {
+            var bench = new DeliveryBench();
+            List<string> seen = [];
+            bench.Delivery.MotionReceived += frame => seen.Add($"{frame.FrameIndex}");
+            bench.Delivery.StatusChanged += status => seen.Add(status.Message);
+            Task window = Task.Run(
+                () =>
+                {
+                    while (bench.Delivery.End is null)
+                        bench.Context.RunAll();
+                },
+                TestContext.Current.CancellationToken);
+            bench.Push(0);
+            bench.Report(ConnectionState.Stopped);
+            await window.Soon();
+            Assert.Equal(["0", "Stopped"], seen);
+        }
+    }
+
     [Fact]
     public void A_busy_context_gets_the_newest_changes_of_status()
     {

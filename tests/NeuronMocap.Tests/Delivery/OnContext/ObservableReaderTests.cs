@@ -105,6 +105,30 @@ public sealed class ObservableReaderTests
     }
 
     [Fact]
+    public async Task Rates_are_0_after_the_reader_has_stopped()
+    {
+        using var server = new TestServer();
+        var reader = new NeuronReader(server.Options());
+        using ObservableReader shown = Observe(reader);
+        reader.Start();
+        using TestConnection connection = await server.AcceptAsync();
+        for (int i = 0; i < 20; i++)
+        {
+            await connection.SendAsync(TestPackets.Motion(i));
+            await reader.WaitForFramesAsync(i + 1);
+        }
+
+        _ticker.Advance(250);
+        _context.RunAll();
+        Assert.Equal(20, shown.Frames);
+        await reader.DisposeAsync();
+        await reader.Completion.Soon();
+        _context.RunAll();
+        Assert.Equal((ConnectionState.Stopped, 0, 20), (shown.State, shown.FrameRate, shown.Frames));
+        Assert.Equal(0, Assert.Single(shown.Avatars).FrameRate);
+    }
+
+    [Fact]
     public async Task After_a_dispose_nothing_changes()
     {
         using var server = new TestServer();
@@ -154,7 +178,7 @@ public sealed class ObservableReaderTests
     public void Options_out_of_range_are_named()
     {
         using var reader = new NeuronReader("127.0.0.1");
-        foreach (double rate in (double[])[0, -1, 61, double.NaN])
+        foreach (double rate in (double[])[0, -1, 0.001, 61, double.NaN])
             Assert.StartsWith("UpdateRate", Assert.Throws<ArgumentException>(() => new ObservableReader(reader, new ObservableReaderOptions { UpdateRate = rate })).Message, StringComparison.Ordinal);
 
         var both = new ObservableReaderOptions { Context = _context, Post = static _ => true };
