@@ -21,7 +21,7 @@ public sealed partial class NeuronReader
     /// <returns>The export; dispose it to complete the file.</returns>
     /// <exception cref="ArgumentException">The path is empty, or an option is out of range.</exception>
     /// <exception cref="IOException">The file exists and must not be replaced, or is already being written, or cannot be written.</exception>
-    /// <exception cref="UnauthorizedAccessException">The user has no permission to write the file.</exception>
+    /// <exception cref="UnauthorizedAccessException">The user does not have permission to write the file.</exception>
     public BvhExport ExportBvh(string path, BvhExportOptions? options = null) => ExportBvhTo(path, options, open: null);
 
     // Tests replace the file with another stream.

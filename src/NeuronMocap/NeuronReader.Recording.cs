@@ -27,7 +27,7 @@ public sealed partial class NeuronReader
     /// <exception cref="IOException">
     /// The file exists and <see cref="RecordingOptions.Overwrite"/> is off, or the file is already being written, or it cannot be created.
     /// </exception>
-    /// <exception cref="UnauthorizedAccessException">The user has no permission to create the file.</exception>
+    /// <exception cref="UnauthorizedAccessException">The user does not have permission to create the file.</exception>
     /// <exception cref="InvalidOperationException">The reader plays a file.</exception>
     /// <exception cref="ObjectDisposedException">The reader was disposed, or has stopped.</exception>
     public StreamRecorder StartRecording(string path, RecordingOptions? options = null)

@@ -68,7 +68,7 @@ public sealed partial class NeuronReader : IDisposable, IAsyncDisposable
     private int _reportingThread;
     private int _failureTraced;
 
-    /// <summary>Makes a reader for a TCP server.</summary>
+    /// <summary>Creates a reader for a TCP server.</summary>
     /// <param name="host">Name or address of the computer that runs Axis Neuron.</param>
     /// <param name="port">The server's port, 1 to 65535.</param>
     /// <exception cref="ArgumentException">The host is empty, or the port is out of range.</exception>
@@ -77,7 +77,7 @@ public sealed partial class NeuronReader : IDisposable, IAsyncDisposable
     {
     }
 
-    /// <summary>Makes a reader.</summary>
+    /// <summary>Creates a reader.</summary>
     /// <param name="options">Where and how to receive; copied.</param>
     /// <exception cref="ArgumentException">An option is out of range; the message names it.</exception>
     public NeuronReader(NeuronReaderOptions options)
@@ -85,7 +85,7 @@ public sealed partial class NeuronReader : IDisposable, IAsyncDisposable
     {
     }
 
-    /// <summary>Makes a reader that receives from a file instead of a live stream.</summary>
+    /// <summary>Creates a reader that receives from a file instead of a live stream.</summary>
     /// <param name="player">
     /// Plays the file when the reader starts. A player can have only one reader, and the reader does not dispose it.
     /// </param>

@@ -10,8 +10,8 @@ public sealed class ClosingTests(ITestOutputHelper output)
 {
     private const int Rounds = 50;
 
-    // Twenty times the usual time. The reader's own time-out for a stop that waits in vain, 2 s, exceeds it. All times are printed.
-    private const double LongestMedian = 2000;
+    // Of nine closings in ten. Twenty times the usual time; a stop that waits in vain takes longer, because the reader's own time-out is 2 s.
+    private const double LongestUsual = 2000;
 
     [Fact]
     public Task Sample_closes_at_once_while_frames_arrive() => CloseAsync(
@@ -44,7 +44,7 @@ public sealed class ClosingTests(ITestOutputHelper output)
             CultureInfo.InvariantCulture,
             $"{sorted.Length} closings: quickest {sorted[0]:0} ms, median {sorted[sorted.Length / 2]:0} ms, 90 % {sorted[sorted.Length * 9 / 10]:0} ms, longest {sorted[^1]:0} ms"));
         Assert.Equal(Rounds, sorted.Length);
-        Assert.InRange(sorted[sorted.Length / 2], 0, LongestMedian);
+        Assert.InRange(sorted[sorted.Length * 9 / 10], 0, LongestUsual);
 
         async Task RunLaneAsync()
         {

@@ -40,8 +40,8 @@ public readonly record struct AvatarStatistics
     public long OutOfOrder { get; init; }
 
     /// <summary>
-    /// How often the server restarted its count within a connection: by a jump back by more than 63, a jump ahead by more than 10,000, or three even steps
-    /// from an earlier index.
+    /// How often the server restarted its count within a connection. A restart is a jump back by more than 63, a jump ahead by more than 10,000, or three
+    /// even steps from an earlier index.
     /// </summary>
     public long Restarts { get; init; }
 

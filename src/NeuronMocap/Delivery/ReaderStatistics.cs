@@ -40,7 +40,7 @@ public readonly record struct ReaderStatistics
     /// <summary>Number of packets without values, which are not delivered (protocol.md section 5).</summary>
     public long EmptyPackets { get; init; }
 
-    /// <summary>Number of bytes that belong to no packet.</summary>
+    /// <summary>Number of bytes outside packets.</summary>
     public long BytesSkipped { get; init; }
 
     /// <summary>Number of packets that announced more values than MaxValues allows. Their bytes are included in the skipped bytes.</summary>

@@ -11,7 +11,7 @@ internal sealed class StepLog(IProgress<DiagnosisStep>? progress)
 
     public IReadOnlyList<DiagnosisStep> Steps => _steps;
 
-    // Makes a log for another part of the same diagnosis; its steps have a prefix in their names.
+    // Creates a log for another part of the same diagnosis; its steps have a prefix in their names.
     public StepLog With(string prefix) => new(new Relay(this, prefix));
 
     public void Ok(string name, string detail) => Add(name, StepOutcome.Ok, detail);

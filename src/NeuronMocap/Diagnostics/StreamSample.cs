@@ -43,7 +43,7 @@ internal sealed class StreamSample(PacketKind wanted) : IPacketReceiver
 
     public bool Has(PacketKind kind) => _avatars.Keys.Any(key => key.Kind == kind);
 
-    // Guesses the format of the bytes that belong to no packet. The reason with the most bytes is decisive.
+    // Guesses the format of the bytes outside packets. The reason with the most bytes is decisive.
     public FormatGuess Guess() => Largest is { Value.Bytes: > 0 } largest
         ? FormatGuess.Of(largest.Value.Start.ToArray(), largest.Key)
         : FormatGuess.Of([], SkipReason.NoTokens);

@@ -9,7 +9,7 @@ public enum ScanStatus
     /// <summary>The first <see cref="ScanResult.Length"/> bytes are one complete packet.</summary>
     Packet,
 
-    /// <summary>The first <see cref="ScanResult.Length"/> bytes belong to no packet; skip them.</summary>
+    /// <summary>The first <see cref="ScanResult.Length"/> bytes are outside packets; skip them.</summary>
     Skipped,
 }
 

@@ -21,7 +21,7 @@ internal sealed class CombinedStatus(Action<ConnectionStatus> changed, int calcu
         });
 
     public void OnCalculation(ConnectionStatus status) => _combined.TrySet(
-        told =>
+        published =>
         {
             // The reader is stopping; its first connection reports that.
             if (status is { State: ConnectionState.Stopped, Reason: ConnectionReason.Requested })
@@ -32,7 +32,7 @@ internal sealed class CombinedStatus(Action<ConnectionStatus> changed, int calcu
                 _calculation = status;
 
             ConnectionStatus joint = Join();
-            return told.State != ConnectionState.Created && (joint.Reason != told.Reason || !string.Equals(joint.Message, told.Message, StringComparison.Ordinal));
+            return published.State != ConnectionState.Created && (joint.Reason != published.Reason || !string.Equals(joint.Message, published.Message, StringComparison.Ordinal));
         },
         _ => Join() with { Timestamp = status.Timestamp });
 

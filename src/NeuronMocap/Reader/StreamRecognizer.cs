@@ -72,7 +72,7 @@ internal sealed class StreamRecognizer(FrameFormat format)
     private string DescribeOrder(Recognized stream, DiscoveredFormat discovered) => (format.OptionOrder, stream.Order, discovered.Order) switch
     {
         ({ } option, _, _) => $"rotation order {option}, as the options say",
-        (_, { } told, _) => $"rotation order {told}, as the stream says",
+        (_, { } order, _) => $"rotation order {order}, as the stream says",
         (_, _, { } learnt) => $"rotation order {learnt}, as {format.FormatOrigin} says",
         _ => $"rotation order {SkeletonFormat.Default.RotationOrder} assumed, the stream does not say",
     };
@@ -87,12 +87,12 @@ internal sealed class StreamRecognizer(FrameFormat format)
     // Finds a certain or possible error in how the frames are interpreted.
     private (ConnectionReason Reason, string Text) FindFault(Recognized stream, DiscoveredFormat discovered)
     {
-        (RotationOrder? told, string teller) = stream.Order is { } order ? (order, "the stream") : (discovered.Order, format.FormatOrigin);
-        if (format.OptionOrder is { } option && told is not null && told != option)
+        (RotationOrder? reported, string origin) = stream.Order is { } order ? (order, "the stream") : (discovered.Order, format.FormatOrigin);
+        if (format.OptionOrder is { } option && reported is not null && reported != option)
         {
             return (
                 ConnectionReason.RotationOrderMismatch,
-                $" But {teller} says {told}: one of them is wrong. Leave RotationOrder unset to use {told}.");
+                $" But {origin} says {reported}: one of them is wrong. Leave RotationOrder unset to use {reported}.");
         }
 
         if (format.OptionVariant is { } variant && discovered.Variant is { } learnt && learnt != variant)

@@ -1,8 +1,8 @@
 namespace NeuronMocap.Retargeting;
 
 /// <summary>
-/// Reports what is wrong with a rig, in messages for its author: bones that are missing or mapped to the wrong node, and deviations of the rest pose
-/// from a <see cref="TPose"/>. A rig without issues moves as the actor does. Thread-safe.
+/// Reports what is wrong with a rig, in messages for its author. It finds bones that are missing or mapped to the wrong node, and deviations of the rest
+/// pose from a <see cref="TPose"/>. A rig without issues moves as the actor does. Thread-safe.
 /// </summary>
 public static class RigValidator
 {

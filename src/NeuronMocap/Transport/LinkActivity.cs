@@ -15,7 +15,7 @@ internal sealed class LinkActivity(
     // that the user allow their sender.
     private const int MinRefused = 3;
 
-    // The first bytes since the last packet that belong to no packet, and the reason.
+    // The first bytes since the last packet that are outside packets, and the reason.
     private readonly byte[] _skipped = new byte[64];
     private volatile int _skippedLength;
     private volatile SkipReason _skipReason;
@@ -159,7 +159,7 @@ internal sealed class LinkActivity(
 
         // Every further check of a long silence comes here, so the message is made only once.
         ConnectionReason reason = FindReason();
-        if (status.Current is { State: ConnectionState.Silent } told && told.Reason == reason)
+        if (status.Current is { State: ConnectionState.Silent } silent && silent.Reason == reason)
             return;
 
         string message = ExplainSilence(reason);
