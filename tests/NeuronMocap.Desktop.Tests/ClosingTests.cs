@@ -37,6 +37,7 @@ public sealed class ClosingTests(ITestOutputHelper output)
         var times = new ConcurrentBag<double>();
         int lanes = Math.Min(Environment.ProcessorCount, 4);
         int round = 0;
+        int failuresOfMono = 0;
         await Task.WhenAll(Enumerable.Range(0, lanes).Select(_ => RunLaneAsync()));
 
         double[] sorted = [.. times.Order()];
@@ -44,6 +45,7 @@ public sealed class ClosingTests(ITestOutputHelper output)
             CultureInfo.InvariantCulture,
             $"{sorted.Length} closings: quickest {sorted[0]:0} ms, median {sorted[sorted.Length / 2]:0} ms, 90 % {sorted[sorted.Length * 9 / 10]:0} ms, longest {sorted[^1]:0} ms"));
         Assert.Equal(Rounds, sorted.Length);
+        Assert.InRange(failuresOfMono, 0, Rounds / 10);
         Assert.InRange(sorted[sorted.Length * 9 / 10], 0, LongestUsual);
 
         async Task RunLaneAsync()
@@ -57,7 +59,10 @@ public sealed class ClosingTests(ITestOutputHelper output)
 
                 await program.UntilTextAsync(frames);
                 times.Add((await program.CloseAsync()).TotalMilliseconds);
-                Assert.Equal("", program.Output);
+                if (program.HasMonoFailed)
+                    Interlocked.Increment(ref failuresOfMono);
+                else
+                    Assert.Equal("", program.Output);
             }
         }
     }

@@ -118,9 +118,15 @@ internal sealed class WindowProgram : IDisposable
         Assert.NotNull(await RunAsync("key", "alt+F4"));
         await _process.WaitForExitAsync(TestContext.Current.CancellationToken).Soon();
         TimeSpan time = Stopwatch.GetElapsedTime(start);
-        Assert.True(_process.ExitCode == 0, $"The program ended with {_process.ExitCode}: {Output}");
+        Assert.True(_process.ExitCode == 0 || HasMonoFailed, $"The program ended with {_process.ExitCode}: {Output}");
         return time;
     }
+
+    /// <summary>
+    /// Whether Mono failed at the end of the process, after the program: it aborts the thread of its own timers, which does not expect that.
+    /// </summary>
+    public bool HasMonoFailed =>
+        Output.Contains("ThreadAbortException", StringComparison.Ordinal) && Output.Contains("System.Threading.Timer+Scheduler.SchedulerThread", StringComparison.Ordinal);
 
     public void Dispose()
     {
