@@ -2,10 +2,7 @@ using FsCheck;
 using FsCheck.Fluent;
 using NeuronMocap.Protocol;
 using NeuronMocap.Reader;
-using NeuronMocap.Skeleton;
-using NeuronMocap.Telemetry;
 using NeuronMocap.Tests.Delivery;
-using NeuronMocap.Transport;
 
 namespace NeuronMocap.Tests.Reader;
 
@@ -33,7 +30,7 @@ public sealed class PacketFateTests
         {
             byte[] bytes = one.Stream.ToBytes();
             ReferenceReading expected = ReferenceScanner.Read(bytes, WireStream.MaxValues);
-            ReceivePipeline pipeline = Create();
+            ReceivePipeline pipeline = DeliveryBench.CreatePipeline();
             using FrameQueue queue = pipeline.OpenQueue(one.Capacity, "fates");
             var window = new ManualContext();
             FrameDelivery every = Open(pipeline, window, FrameDeliveryMode.EveryFrame, one.Capacity);
@@ -101,21 +98,6 @@ public sealed class PacketFateTests
         pipeline.OpenDelivery(new FrameDeliveryOptions { Context = window, Mode = mode, Capacity = capacity }, new FakeDeliveryClock(), static _ => { });
 
     private static bool IsFrame(FoundPacket packet) => packet.Kind != PacketKind.Command && packet.Bytes.Length > ProtocolConstants.HeaderSize;
-
-    private static ReceivePipeline Create()
-    {
-        var status = new StatusPublisher(static _ => { });
-        return new ReceivePipeline(
-            SkeletonFormat.Default,
-            new StreamRecognizer(SkeletonFormat.Default),
-            new LinkActivity(status, TimeSpan.FromSeconds(3), udpSenders: null),
-            status,
-            new SenderFilter([]),
-            new ReaderMetrics("fates"),
-            static _ => false,
-            new ReaderRecordings(new NeuronReaderOptions(), "fates"),
-            static exception => throw exception);
-    }
 
     private sealed record FateCase(WireStream Stream, int Capacity, int PiecesBeforeStop, int PumpEvery)
     {

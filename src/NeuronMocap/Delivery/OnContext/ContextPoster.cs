@@ -76,7 +76,7 @@ internal sealed class ContextPoster
 
     private static Thread? OwnThread() => Thread.CurrentThread is { IsThreadPoolThread: false } thread ? thread : null;
 
-    // No barrier is needed: only the posting thread itself can find its own number here.
+    // A run inside a call of Post, on the same thread, is not a post.
     private void OnRun(Action run)
     {
         if (ReferenceEquals(_posting, this))
