@@ -14,7 +14,7 @@ public sealed class CommandTests : IDisposable
     [Fact]
     public async Task Both_archives_are_written_and_named()
     {
-        (int code, string output, string error) = await RunAsync("--configuration", ThePackage.Configuration, "--repository", Repository.Root, "--output", _folder.Path);
+        (int code, string output, string error) = await RunAsync("--no-build", "--configuration", ThePackage.Configuration, "--repository", Repository.Root, "--output", _folder.Path);
 
         Assert.Equal((0, string.Empty), (code, error));
         Assert.Equal(
@@ -37,9 +37,25 @@ public sealed class CommandTests : IDisposable
         _folder.Write("unity-package/package.json", "{}");
         _folder.Write("CHANGELOG.md", "");
         _folder.Write("LICENSE", "");
-        (int code, _, string error) = await RunAsync("--repository", _folder.Path);
+        (int code, _, string error) = await RunAsync("--no-build", "--repository", _folder.Path);
         Assert.Equal(1, code);
-        Assert.Contains("NeuronMocap.dll is missing: build the libraries first", error, StringComparison.Ordinal);
+        Assert.Contains("NeuronMocap.dll is missing: leave out --no-build", error, StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public async Task Libraries_that_do_not_build_are_named()
+    {
+        _folder.Write("unity-package/package.json", "{}");
+        (int code, _, string error) = await RunAsync();
+        Assert.Equal(1, code);
+        Assert.Contains("NeuronMocap.Compatibility does not build:", error, StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public async Task A_folder_outside_the_repository_is_told_what_to_name()
+    {
+        (int code, _, string error) = await RunAsync("--metas");
+        Assert.Equal((1, "No folder unity-package is here or above; name the root of the repository with --repository."), (code, error.Trim()));
     }
 
     [Fact]

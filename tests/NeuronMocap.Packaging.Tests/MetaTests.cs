@@ -23,7 +23,6 @@ public sealed class MetaTests : IDisposable
         _folder.Write("Samples~/One/One.unity", "");
         _folder.Write("Documentation~/index.md", "");
         _folder.Write(".gitignore", "");
-        _folder.Write("pack", "");
 
         IReadOnlyList<string> added = new PackageFolder(_folder.Path).AddMissingMetas();
 

@@ -6,10 +6,11 @@ namespace NeuronMocap.UnityPackager;
 internal sealed class PackagerCommand : RootCommand
 {
     public PackagerCommand()
-        : base("Creates the Unity package from the folder unity-package and the netstandard2.1 libraries: NeuronMocap-VERSION.unitypackage and a "
-            + "UPM tarball. Checks the archives and reads them again. Without an option, writes both archives to artifacts/unity.")
+        : base("Builds the netstandard2.1 libraries, and creates the Unity package from them and the folder unity-package: "
+            + "NeuronMocap-VERSION.unitypackage and a UPM tarball. Checks the archives and reads them again. Without an option, writes both archives "
+            + "to artifacts/unity.")
     {
-        foreach (Option option in (Option[])[Output, Install, InPlace, Branch, Metas, Guid, Configuration, Repository])
+        foreach (Option option in (Option[])[Output, Install, InPlace, Branch, Metas, Guid, Configuration, NoBuild, Repository])
             Add(option);
     }
 
@@ -54,10 +55,14 @@ internal sealed class PackagerCommand : RootCommand
         DefaultValueFactory = static _ => "Release",
     };
 
-    public Option<DirectoryInfo> Repository { get; } = new("--repository")
+    public Option<bool> NoBuild { get; } = new("--no-build")
+    {
+        Description = "Use the libraries that were built last.",
+    };
+
+    public Option<DirectoryInfo?> Repository { get; } = new("--repository")
     {
         HelpName = "FOLDER",
-        Description = "The root of the repository. Default: the current folder.",
-        DefaultValueFactory = static _ => new DirectoryInfo("."),
+        Description = "The root of the repository. Default: the nearest folder, from the current one upwards, that holds unity-package.",
     };
 }

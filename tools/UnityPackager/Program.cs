@@ -22,14 +22,14 @@ int Run(ParseResult parsed)
 {
     try
     {
-        string repository = parsed.GetValue(command.Repository)!.FullName;
+        string repository = parsed.GetValue(command.Repository)?.FullName ?? FindRepository();
         var folder = new PackageFolder(Path.Combine(repository, "unity-package"));
         if (parsed.GetValue(command.Guid) is { } path)
             Console.WriteLine(folder.GuidOf(path));
         else if (parsed.GetValue(command.Metas))
             UpdateMetas(folder);
         else
-            Deliver(parsed, repository, Stage(folder, repository, parsed.GetValue(command.Configuration)!));
+            Deliver(parsed, repository, Stage(parsed, repository, folder));
 
         return Done;
     }
@@ -38,6 +38,17 @@ int Run(ParseResult parsed)
         Console.Error.WriteLine(exception.Message);
         return Failed;
     }
+}
+
+static string FindRepository()
+{
+    for (DirectoryInfo? folder = new("."); folder is not null; folder = folder.Parent)
+    {
+        if (File.Exists(Path.Combine(folder.FullName, "unity-package", "package.json")))
+            return folder.FullName;
+    }
+
+    throw new PackagerException("No folder unity-package is here or above; name the root of the repository with --repository.");
 }
 
 static void UpdateMetas(PackageFolder folder)
@@ -52,8 +63,15 @@ static void UpdateMetas(PackageFolder folder)
         Console.WriteLine($"added {meta}");
 }
 
-static StagedPackage Stage(PackageFolder folder, string repository, string configuration)
+StagedPackage Stage(ParseResult parsed, string repository, PackageFolder folder)
 {
+    string configuration = parsed.GetValue(command.Configuration)!;
+    if (!parsed.GetValue(command.NoBuild))
+    {
+        Console.Error.WriteLine("building the libraries");
+        LibraryBuild.Run(repository, configuration);
+    }
+
     StagedPackage package = StagedPackage.Load(folder, repository, configuration);
     IReadOnlyList<string> problems = PackageLint.Check(package);
     return problems.Count == 0 ? package : throw new PackagerException(string.Join(Environment.NewLine, problems));

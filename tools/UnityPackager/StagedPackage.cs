@@ -30,7 +30,7 @@ internal sealed class StagedPackage
         {
             string source = mirrored.SourceIn(repository, configuration);
             if (!File.Exists(source))
-                throw new PackagerException($"{source} is missing: build the libraries first, as unity-package/pack does.");
+                throw new PackagerException($"{source} is missing: leave out --no-build.");
 
             files[mirrored.Path] = File.ReadAllBytes(source);
         }

@@ -23,12 +23,14 @@ public sealed partial class ArchiveTests
     }
 
     [Fact]
-    public void The_asset_package_holds_the_same_files()
+    public void The_asset_package_holds_the_same_files_without_the_tests()
     {
         IReadOnlyDictionary<string, byte[]> opened = UnityPackageArchive.Read(AssetPackage);
 
-        foreach ((string path, byte[] content) in ThePackage.Staged.Files.Where(static file => !file.Key.EndsWith(".md", StringComparison.Ordinal)))
+        foreach ((string path, byte[] content) in ThePackage.Staged.Files.Where(static file => !file.Key.EndsWith(".md", StringComparison.Ordinal) && !file.Key.StartsWith("Tests", StringComparison.Ordinal)))
             Assert.Equal(content, opened[$"Assets/NeuronMocap/{path.Replace("~", "", StringComparison.Ordinal)}"]);
+
+        Assert.DoesNotContain(opened.Keys, static path => path.Contains("/Tests", StringComparison.Ordinal));
 
         // Unity needs a meta file for everything that it imports. Only those for files hidden in the other archive are added.
         string[] added = [.. opened.Keys.Except(ThePackage.Staged.Files.Keys.Select(static path => $"Assets/NeuronMocap/{path.Replace("~", "", StringComparison.Ordinal)}"))];

@@ -5,7 +5,8 @@ namespace NeuronMocap.UnityPackager.Archives;
 /// <summary>The package as an asset package. Users import it by double click or with Assets > Import Package.</summary>
 /// <remarks>
 /// It is a tar with a folder for each asset. The name of the folder is the GUID of the asset. It holds the asset, its meta and its path in the
-/// project. Folders that the package manager hides are visible in the project: Samples~ and Documentation~ lose the '~'.
+/// project. Folders that the package manager hides are visible in the project: Samples~ and Documentation~ lose the '~'. The tests stay out: Unity
+/// would compile them, and fail in a project without its test framework.
 /// </remarks>
 internal static class UnityPackageArchive
 {
@@ -52,7 +53,7 @@ internal static class UnityPackageArchive
 
     private static IEnumerable<Asset> GetAssets(StagedPackage package)
     {
-        List<string> files = [.. package.Files.Keys.Where(static path => !AssetPath.IsMeta(path))];
+        List<string> files = [.. package.Files.Keys.Where(static path => !AssetPath.IsMeta(path) && !AssetPath.IsTest(path))];
         IEnumerable<Asset> folders = AssetPath.FoldersOf(files).Select(path => CreateAsset(package, path, content: null));
         return folders
             .Concat(files.Select(path => CreateAsset(package, path, package.Files[path])))

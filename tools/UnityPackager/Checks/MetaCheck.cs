@@ -12,7 +12,7 @@ internal static class MetaCheck
         {
             if (package.ReadMeta(path) is not { } meta)
             {
-                yield return $"{path} has no meta: run unity-package/pack --metas";
+                yield return $"{path} has no meta: run dotnet run --project tools/UnityPackager -- --metas";
                 continue;
             }
 
