@@ -40,6 +40,17 @@ public sealed partial class SnippetTests
         Assert.Empty(errors.Select(error => $"{page}: {error}"));
     }
 
+    [Theory]
+    [InlineData("Windows Forms")]
+    [InlineData("WPF")]
+    public void A_window_of_the_guide_compiles(string framework)
+    {
+        string page = File.ReadAllText(Repository.PathOf("docs", "guide", "desktop.md"));
+        Match block = Assert.Single(Block().Matches(page), block => block.Groups["marker"].Value == $"<!-- needs: {framework} -->\n");
+        Assert.Empty(WindowCompiler.FindErrors(framework, block.Groups["code"].Value));
+        Assert.NotEmpty(WindowCompiler.FindErrors(framework, block.Groups["code"].Value.Replace("_reader.Start()", "_reader.Begin()", StringComparison.Ordinal)));
+    }
+
     [Fact]
     public void A_snippet_without_its_namespace_does_not_compile() =>
         Assert.NotEmpty(ServerCompiler.FindErrors("BvhDocument take = BvhDocument.Load(\"walk.bvh\");"));
