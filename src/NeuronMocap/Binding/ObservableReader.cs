@@ -15,6 +15,9 @@ namespace NeuronMocap;
 /// It ends when it is disposed, when the reader has stopped, or when the context is gone. It shows the last state of the reader, also after the reader is
 /// disposed.
 /// </para>
+/// <para>
+/// An exception of a handler goes to the context, and thus to the application's own handler. The properties that are left are reported in a later run.
+/// </para>
 /// </remarks>
 public sealed class ObservableReader : INotifyPropertyChanged, IContextWork, IDisposable
 {
@@ -158,8 +161,20 @@ public sealed class ObservableReader : INotifyPropertyChanged, IContextWork, IDi
     {
         _isDue = false;
         ConnectionStatus status = _reader.Status;
-        ShowAvatars(isRunning: status.State != ConnectionState.Stopped);
-        ShowStatus(status);
+        bool isComplete = false;
+        try
+        {
+            ShowAvatars(isRunning: status.State != ConnectionState.Stopped);
+            ShowStatus(status);
+            isComplete = true;
+        }
+        finally
+        {
+            // A handler has thrown: the next run reports the properties that are left.
+            if (!isComplete)
+                _isDue = true;
+        }
+
         if (status.State == ConnectionState.Stopped)
             Dispose();
     }

@@ -75,6 +75,7 @@ public sealed class FrameDelivery : IPacketConsumer, IContextWork, IDisposable
     /// Occurs on the context when the state of the connection changes, in order. If the context is busy for long, only the newest 64 changes are kept.
     /// </summary>
     /// <remarks>
+    /// A delivery gets the changes that follow its opening; <see cref="NeuronReader.Status"/> has the state until then.
     /// A change is delivered before frames that wait; only <see cref="ConnectionState.Stopped"/> follows the last frame. When the reader is disposed, the
     /// delivery ends at once and does not deliver that change.
     /// </remarks>

@@ -6,6 +6,9 @@ public enum FrameDeliveryMode
     /// <summary>Every frame, in order. Frames that wait for the context are in a bounded queue.</summary>
     EveryFrame,
 
-    /// <summary>The newest frame of each avatar. A newer frame replaces a frame that was not delivered yet.</summary>
+    /// <summary>
+    /// The newest frame of each avatar. A newer frame replaces a frame that was not delivered yet. Frames of several UDP senders with the same avatar number
+    /// replace each other.
+    /// </summary>
     Newest,
 }

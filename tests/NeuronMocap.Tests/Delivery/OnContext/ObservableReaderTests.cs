@@ -129,6 +129,35 @@ public sealed class ObservableReaderTests
     }
 
     [Fact]
+    public async Task A_handler_that_throws_does_not_keep_other_changes_back()
+    {
+        using var server = new TestServer();
+        var reader = new NeuronReader(server.Options());
+        var clock = new FakeDeliveryClock();
+        using ObservableReader shown = Observe(reader, clock);
+        reader.Start();
+        using TestConnection connection = await server.AcceptAsync();
+        await connection.SendAsync(TestPackets.Motion(1));
+        await reader.WaitForFramesAsync(1);
+        await reader.DisposeAsync();
+        await reader.Completion.Soon();
+
+        shown.PropertyChanged += static (_, change) => throw new InvalidOperationException(change.PropertyName);
+        List<string> thrown = [];
+        while (_context.Waiting > 0)
+        {
+            if (Record.Exception(_context.RunAll) is { } exception)
+                thrown.Add(exception.Message);
+            clock.Advance(10);
+        }
+
+        Assert.Equal([nameof(shown.Frames), nameof(shown.State), nameof(shown.Reason), nameof(shown.Message)], thrown);
+        Assert.Equal(thrown, _changes.Where(static change => change != "+"));
+        Assert.Equal((ConnectionState.Stopped, reader.Status.Message, 1), (shown.State, shown.Message, shown.Avatars.Count));
+        Assert.True(_ticker.IsDisposed);
+    }
+
+    [Fact]
     public async Task After_a_dispose_nothing_changes()
     {
         using var server = new TestServer();
@@ -185,9 +214,9 @@ public sealed class ObservableReaderTests
         Assert.StartsWith("Context and Post", Assert.Throws<ArgumentException>(() => new ObservableReader(reader, both)).Message, StringComparison.Ordinal);
     }
 
-    private ObservableReader Observe(NeuronReader reader)
+    private ObservableReader Observe(NeuronReader reader, FakeDeliveryClock? clock = null)
     {
-        var shown = new ObservableReader(reader, new ObservableReaderOptions { Context = _context }, _ticker, new FakeDeliveryClock());
+        var shown = new ObservableReader(reader, new ObservableReaderOptions { Context = _context }, _ticker, clock ?? new FakeDeliveryClock());
         shown.PropertyChanged += (_, change) => _changes.Add(change.PropertyName!);
         ((INotifyCollectionChanged)shown.Avatars).CollectionChanged += (_, change) => _changes.Add(change.Action == NotifyCollectionChangedAction.Add ? "+" : "-");
         return shown;
