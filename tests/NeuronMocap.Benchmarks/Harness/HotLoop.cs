@@ -12,13 +12,13 @@ internal static class HotLoop
         for (int i = 0; i < 1000; i++)
             step(i);
 
-        long allocated = GC.GetAllocatedBytesForCurrentThread();
+        long allocated = RuntimeFigures.AllocatedBytesOfThread;
         long start = Stopwatch.GetTimestamp();
         for (int i = 0; i < Rounds; i++)
             step(i);
 
-        double nanoseconds = Stopwatch.GetElapsedTime(start).TotalNanoseconds / Rounds;
-        allocated = GC.GetAllocatedBytesForCurrentThread() - allocated;
+        double nanoseconds = Stopwatch.GetElapsedTime(start).TotalMilliseconds * 1e6 / Rounds;
+        allocated = RuntimeFigures.AllocatedBytesOfThread - allocated;
         return new Figures { ["ns/frame"] = nanoseconds, ["B/frame"] = allocated / (double)Rounds };
     }
 }

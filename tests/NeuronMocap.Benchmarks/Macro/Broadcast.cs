@@ -77,7 +77,7 @@ internal static class Broadcast
             for (long frame = 0; frame < frames; frame++)
             {
                 PacedSender.WaitUntil(start + (long)(frame / Rate * Stopwatch.Frequency));
-                FloodSender.SendAll(socket, packet);
+                FloodSender.SendAll(socket, packet, packet.Length);
             }
         });
         return await MeasureAsync(((IPEndPoint)listener.LocalEndpoint).Port, count, withIdler: false, frames, () => serving);
@@ -91,7 +91,7 @@ internal static class Broadcast
         Task serving = ServeAsync(listener, count, socket =>
         {
             for (int sent = 0; sent < frames; sent += PerWrite)
-                FloodSender.SendAll(socket, block.AsSpan(0, Math.Min(PerWrite, frames - sent) * TestFrame.Size));
+                FloodSender.SendAll(socket, block, Math.Min(PerWrite, frames - sent) * TestFrame.Size);
         });
         using Peer sinks = await StartSinksAsync(((IPEndPoint)listener.LocalEndpoint).Port, count, withIdler: false);
         (long received, double elapsed) = await ReadResultAsync(sinks);

@@ -49,7 +49,7 @@ internal static class Throughput
         byte[] buffer = new byte[RawReceiver.BufferSize];
         long received = socket.Receive(buffer);
         long start = Stopwatch.GetTimestamp();
-        TimeSpan cpu = Environment.CpuUsage.TotalTime;
+        TimeSpan cpu = RuntimeFigures.CpuTime;
         for (int count = 1; count > 0; received += count)
             count = socket.Receive(buffer);
 
@@ -57,7 +57,7 @@ internal static class Throughput
         return new Figures
         {
             [Rate] = received / (double)TestFrame.Size / seconds,
-            [Cpu] = (Environment.CpuUsage.TotalTime - cpu).TotalNanoseconds / frames,
+            [Cpu] = (RuntimeFigures.CpuTime - cpu).TotalMilliseconds * 1e6 / frames,
         };
     }
 
@@ -66,17 +66,17 @@ internal static class Throughput
         using Peer sender = await StartSenderAsync(perWrite, frames);
         await using NeuronReader reader = CreateReader(sender);
         long counted = 0;
-        long allocatedBefore = 0;
-        long allocated = 0;
+        long? allocatedBefore = null;
+        long? allocated = null;
         reader.MotionReceived += _ =>
         {
             // Measured from the thousandth frame to the last, because connecting and ending allocate.
             if (++counted == 1000)
-                allocatedBefore = GC.GetTotalAllocatedBytes(precise: true);
+                allocatedBefore = RuntimeFigures.AllocatedBytes;
             if (counted == frames)
-                allocated = GC.GetTotalAllocatedBytes(precise: true) - allocatedBefore;
+                allocated = RuntimeFigures.AllocatedBytes - allocatedBefore;
         };
-        TimeSpan cpu = Environment.CpuUsage.TotalTime;
+        TimeSpan cpu = RuntimeFigures.CpuTime;
         reader.Start();
         await reader.Completion;
         return ToFigures(reader, cpu, frames, counted, allocated / (double)frames);
@@ -88,7 +88,7 @@ internal static class Throughput
         await using NeuronReader reader = CreateReader(sender);
         using FrameQueue queue = reader.OpenQueue(QueueCapacity);
         long counted = 0;
-        TimeSpan cpu = Environment.CpuUsage.TotalTime;
+        TimeSpan cpu = RuntimeFigures.CpuTime;
         reader.Start();
         while (!reader.Completion.IsCompleted)
         {
@@ -106,7 +106,7 @@ internal static class Throughput
         using Peer sender = await StartSenderAsync(perWrite, frames);
         await using NeuronReader reader = CreateReader(sender);
         using LatestFrames latest = reader.OpenLatest();
-        TimeSpan cpu = Environment.CpuUsage.TotalTime;
+        TimeSpan cpu = RuntimeFigures.CpuTime;
         reader.Start();
         while (!reader.Completion.IsCompleted)
         {
@@ -121,12 +121,12 @@ internal static class Throughput
 
     private static Figures ToFigures(NeuronReader reader, TimeSpan cpuBefore, int sent, long delivered, double? allocated = null)
     {
-        TimeSpan cpu = Environment.CpuUsage.TotalTime - cpuBefore;
+        TimeSpan cpu = RuntimeFigures.CpuTime - cpuBefore;
         ReaderStatistics statistics = reader.GetStatistics();
         var figures = new Figures
         {
             [Rate] = statistics.MotionFrames / statistics.Duration.TotalSeconds,
-            [Cpu] = cpu.TotalNanoseconds / sent,
+            [Cpu] = cpu.TotalMilliseconds * 1e6 / sent,
             ["lost"] = sent - delivered,
         };
         if (allocated is { } bytes)

@@ -23,7 +23,7 @@ internal static class Window
         [
             new("empty handler", () => RunAsync(seconds, readerCount: 1, TimeSpan.Zero)),
             new("empty handler, ten readers", () => RunAsync(seconds, Performers, TimeSpan.Zero)),
-            new("handler of 0.3 ms", () => RunAsync(seconds, readerCount: 1, TimeSpan.FromMilliseconds(0.3))),
+            new("handler of 0.3 ms", () => RunAsync(seconds, readerCount: 1, TimeSpan.FromTicks(3000))),
             new("handler of 2 ms", () => RunAsync(seconds, readerCount: 1, TimeSpan.FromMilliseconds(2))),
             new("one thread, hot", RunHot),
         ];
@@ -56,7 +56,7 @@ internal static class Window
             reader.Start();
 
         List<double> waits = await ProbeAsync(window, Task.WhenAll(readers.Select(static reader => reader.Completion)));
-        double busy = Stopwatch.GetElapsedTime(0, window.Busy).TotalMicroseconds;
+        double busy = Stopwatch.GetElapsedTime(0, window.Busy).TotalMilliseconds * 1e3;
         double frames = deliveries.Sum(static delivery => delivery.Delivered);
         foreach (NeuronReader reader in readers)
             reader.Dispose();
@@ -90,7 +90,7 @@ internal static class Window
             context.Run();
             ticks += Stopwatch.GetTimestamp() - start;
         });
-        return new Figures { [Cost] = Stopwatch.GetElapsedTime(0, ticks).TotalMicroseconds / HotLoop.Rounds, ["B/frame"] = figures["B/frame"] };
+        return new Figures { [Cost] = Stopwatch.GetElapsedTime(0, ticks).TotalMilliseconds * 1e3 / HotLoop.Rounds, ["B/frame"] = figures["B/frame"] };
     }
 
     // A message every few milliseconds until the end.

@@ -34,7 +34,7 @@ internal static class FloodSender
                 TestFrame.SetIndex(block.AsSpan(i * TestFrame.Size), index++);
             }
 
-            SendAll(socket, block.AsSpan(0, count * TestFrame.Size));
+            SendAll(socket, block, count * TestFrame.Size);
         }
 
         socket.Shutdown(SocketShutdown.Send);
@@ -51,9 +51,9 @@ internal static class FloodSender
         return sum;
     }
 
-    public static void SendAll(Socket socket, ReadOnlySpan<byte> bytes)
+    public static void SendAll(Socket socket, byte[] bytes, int count)
     {
-        while (bytes.Length > 0)
-            bytes = bytes[socket.Send(bytes)..];
+        for (int sent = 0; sent < count;)
+            sent += socket.Send(bytes, sent, count - sent, SocketFlags.None);
     }
 }

@@ -62,7 +62,7 @@ internal static class PacedSender
                 for (int i = slice; i < sockets.Length; i += slices)
                 {
                     TestFrame.SetTime(packet, Stopwatch.GetTimestamp());
-                    FloodSender.SendAll(sockets[i], packet);
+                    FloodSender.SendAll(sockets[i], packet, packet.Length);
                 }
             }
         }

@@ -1,5 +1,6 @@
 using System.Diagnostics;
 using System.Globalization;
+using NeuronMocap.Benchmarks.Harness;
 
 namespace NeuronMocap.Benchmarks.Peers;
 
@@ -18,12 +19,10 @@ internal sealed class Peer : IDisposable
 
     public static async Task<Peer> StartAsync(params string[] arguments)
     {
-        var start = new ProcessStartInfo("dotnet") { RedirectStandardOutput = true, UseShellExecute = false };
-        start.ArgumentList.Add("exec");
-        start.ArgumentList.Add(typeof(Peer).Assembly.Location);
-        foreach (string argument in arguments)
-            start.ArgumentList.Add(argument);
-
+        string program = $"\"{typeof(Peer).Assembly.Location}\" {string.Join(" ", arguments)}";
+        ProcessStartInfo start = RuntimeFigures.IsMono ? new("mono", program) : new("dotnet", $"exec {program}");
+        start.RedirectStandardOutput = true;
+        start.UseShellExecute = false;
         Process process = Process.Start(start) ?? throw new InvalidOperationException("The peer did not start.");
         string port = await process.StandardOutput.ReadLineAsync() ?? throw new InvalidOperationException("The peer has no port.");
         return new Peer(process, int.Parse(port, CultureInfo.InvariantCulture));
