@@ -23,14 +23,17 @@ public sealed class BuildCheckTests : IDisposable
         _world.Dispose();
     }
 
-    [Fact]
-    public void An_iOS_build_adds_the_text_once()
+    [Theory]
+    [InlineData(BuildTarget.iOS)]
+    [InlineData(BuildTarget.tvOS)]
+    [InlineData(BuildTarget.VisionOS)]
+    public void A_build_for_a_device_of_Apple_adds_the_text_once(BuildTarget target)
     {
         string path = WritePlist();
         var checks = new BuildChecks();
-        checks.OnPostprocessBuild(BuildReport.Of(BuildTarget.iOS, _folder));
+        checks.OnPostprocessBuild(BuildReport.Of(target, _folder));
         string once = File.ReadAllText(path);
-        checks.OnPostprocessBuild(BuildReport.Of(BuildTarget.iOS, _folder));
+        checks.OnPostprocessBuild(BuildReport.Of(target, _folder));
 
         Assert.Contains(NeuronMocapSettings.DefaultLocalNetworkText, once, StringComparison.Ordinal);
         Assert.Equal(once, File.ReadAllText(path));

@@ -92,4 +92,50 @@ public class CreateMenuTests
         Undo.PerformUndo();
         Assert.Empty(Object.FindObjectsOfType<GameObject>());
     }
+
+    [Fact]
+    public void The_main_camera_of_a_new_scene_follows_the_figure_from_the_front()
+    {
+        using var world = new EditorWorld();
+        Transform eye = MakeMainCamera(new Vector3(0, 1, -10)).transform;
+        CreateMenu.CreateQuickStart();
+
+        Transform figure = Object.FindObjectOfType<FigureBuilder>()!.transform;
+        Assert.Same(figure, eye.GetComponent<FollowCamera>().Target);
+        Assert.InRange(figure.InverseTransformPoint(eye.position).z, 2, 5);
+        Assert.True(Vector3.Angle(eye.forward, figure.position + Vector3.up - eye.position) < 1);
+
+        Undo.PerformUndo();
+        Assert.Equal(new Vector3(0, 1, -10), eye.position);
+        Assert.True(eye.GetComponent<FollowCamera>() == null);
+    }
+
+    [Fact]
+    public void A_camera_that_was_placed_stays_and_the_console_says_how_to_follow()
+    {
+        using var world = new EditorWorld();
+        Camera camera = MakeMainCamera(new Vector3(0, 1.5f, 4));
+        CreateMenu.CreateQuickStart();
+
+        Assert.Equal(new Vector3(0, 1.5f, 4), camera.transform.position);
+        Assert.True(camera.GetComponent<FollowCamera>() == null);
+        LogEntry entry = Assert.Single(ConsoleLog.Entries);
+        Assert.Contains("Follow Camera", entry.Message, StringComparison.Ordinal);
+        Assert.Equal(LogType.Log, entry.Type);
+    }
+
+    [Fact]
+    public void The_figure_of_the_quick_start_leaves_the_origin_to_a_character_of_the_user()
+    {
+        using var world = new EditorWorld();
+        CreateMenu.CreateQuickStart();
+        Assert.InRange(Object.FindObjectOfType<FigureBuilder>()!.transform.position.magnitude, 0.8f, 2);
+    }
+
+    private static Camera MakeMainCamera(Vector3 position)
+    {
+        var eye = new GameObject("Main Camera") { tag = "MainCamera" };
+        eye.transform.position = position;
+        return eye.AddComponent<Camera>();
+    }
 }

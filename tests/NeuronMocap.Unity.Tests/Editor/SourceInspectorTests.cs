@@ -45,6 +45,31 @@ public class SourceInspectorTests
     }
 
     [Fact]
+    public void Run_In_Background_is_offered_to_a_network_source()
+    {
+        using var world = new EditorWorld();
+        MocapSource source = world.AddSource(static source => source.Kind = SourceKind.Simulator);
+        UnityEditor.Editor inspector = world.Inspect(source);
+        (PlayerSettings.runInBackground, Application.runInBackground) = (false, false);
+        try
+        {
+            ImmediateGui.Draw(inspector.OnInspectorGUI);
+            Assert.DoesNotContain(BackgroundAdvice.Button, EditorWorld.Labels("Button"));
+
+            source.Kind = SourceKind.Network;
+            ImmediateGui.Click(inspector.OnInspectorGUI, BackgroundAdvice.Button);
+            Assert.Equal((true, true), (PlayerSettings.runInBackground, Application.runInBackground));
+
+            ImmediateGui.Draw(inspector.OnInspectorGUI);
+            Assert.DoesNotContain(BackgroundAdvice.Button, EditorWorld.Labels("Button"));
+        }
+        finally
+        {
+            (PlayerSettings.runInBackground, Application.runInBackground) = (true, false);
+        }
+    }
+
+    [Fact]
     public void A_number_is_clamped_to_its_range()
     {
         using var world = new EditorWorld();

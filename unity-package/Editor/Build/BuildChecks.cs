@@ -42,7 +42,7 @@ namespace NeuronMocap.Unity.EditorTools
 
         public void OnPostprocessBuild(BuildReport report)
         {
-            if (report.summary.platform == BuildTarget.iOS)
+            if (BuildRules.AsksForLocalNetwork(report.summary.platform))
                 AddLocalNetworkText(Path.Combine(report.summary.outputPath, "Info.plist"), NeuronMocapSettings.instance);
         }
 

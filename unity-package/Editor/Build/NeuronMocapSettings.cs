@@ -12,10 +12,10 @@ namespace NeuronMocap.Unity.EditorTools
     [FilePath("ProjectSettings/NeuronMocap.asset", FilePathAttribute.Location.ProjectFolder)]
     public sealed class NeuronMocapSettings : ScriptableSingleton<NeuronMocapSettings>
     {
-        /// <summary>The default text that iOS shows.</summary>
+        /// <summary>The default text that the device shows.</summary>
         public const string DefaultLocalNetworkText = "Receives motion capture data from a computer in your network.";
 
-        [SerializeField, Tooltip("Add the text below to the Info.plist. iOS 14 and newer show it when they ask the user whether an app may talk to other "
+        [SerializeField, Tooltip("Add the text below to the Info.plist. iOS, tvOS and visionOS show it when they ask the user whether an app may talk to other "
             + "computers on the network. A text already in the Info.plist stays.")]
         private bool _addLocalNetworkText = true;
 
@@ -29,14 +29,14 @@ namespace NeuronMocap.Unity.EditorTools
         [SerializeField, Tooltip("What to do when a scene with a source is built for WebGL: browsers do not allow TCP or UDP sockets.")]
         private BuildProblem _webGL = BuildProblem.Warn;
 
-        /// <summary>Gets or sets whether the text for the local network is added to the Info.plist of an iOS build. On by default.</summary>
+        /// <summary>Gets or sets whether the text for the local network is added to the Info.plist of a build for iOS, tvOS or visionOS. On by default.</summary>
         public bool AddLocalNetworkText
         {
             get => _addLocalNetworkText;
             set => _addLocalNetworkText = value;
         }
 
-        /// <summary>Gets or sets the text that iOS shows when it asks whether the app may use the local network.</summary>
+        /// <summary>Gets or sets the text that the device shows when it asks whether the app may use the local network.</summary>
         public string LocalNetworkText
         {
             get => _localNetworkText;

@@ -15,7 +15,7 @@ namespace NeuronMocap.Unity.EditorTools
         {
             label = "NeuronMocap",
             guiHandler = _ => Draw(NeuronMocapSettings.instance),
-            keywords = new[] { "mocap", "motion capture", "network", "iOS", "Android", "WebGL", "permission" },
+            keywords = new[] { "mocap", "motion capture", "network", "iOS", "tvOS", "visionOS", "Android", "WebGL", "permission" },
         };
 
         internal static void Draw(NeuronMocapSettings settings)
@@ -23,7 +23,7 @@ namespace NeuronMocap.Unity.EditorTools
             // Unity marks singletons as not editable, which would disable all fields.
             settings.hideFlags &= ~HideFlags.NotEditable;
             var serialized = new SerializedObject(settings);
-            EditorGUILayout.LabelField("iOS", EditorStyles.boldLabel);
+            EditorGUILayout.LabelField("iOS, tvOS, visionOS", EditorStyles.boldLabel);
             SerializedProperty addText = serialized.FindProperty("_addLocalNetworkText");
             EditorGUILayout.PropertyField(addText, new GUIContent("Add Local Network Text"));
             using (new EditorGUI.DisabledScope(!addText.boolValue))

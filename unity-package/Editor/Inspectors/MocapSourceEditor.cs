@@ -80,8 +80,11 @@ namespace NeuronMocap.Unity.EditorTools
             foreach (PerformerRow row in report.Performers)
                 ReportGui.Row(new ReportRow($"{row.Name} ({row.AvatarIndex})", row.Summary, row.Severity));
 
-            if (source.Kind == SourceKind.Network)
-                _diagnosis.Draw(source);
+            if (source.Kind != SourceKind.Network)
+                return;
+
+            BackgroundAdvice.Draw();
+            _diagnosis.Draw(source);
         }
 
         private void DrawSummaries(MocapSource[] sources)

@@ -16,6 +16,7 @@ namespace NeuronMocap.Unity
     /// Gizmos is on. It shows what the source delivers. If the character looks different, the binding of the character is wrong.
     /// </summary>
     [AddComponentMenu("NeuronMocap/Skeleton View")]
+    [HelpURL(HelpPage.Components + "#skeleton-view")]
     [DefaultExecutionOrder(500)]
     public sealed class SkeletonView : MonoBehaviour
     {

@@ -13,6 +13,7 @@ namespace NeuronMocap.Unity
     /// They must be in the T-pose when the component wakes up, unless a skin provides a bind pose.
     /// </summary>
     [AddComponentMenu("NeuronMocap/Generic Rig Driver")]
+    [HelpURL(HelpPage.Components + "#generic-rig-driver")]
     public sealed class GenericRigDriver : FigureDriver
     {
         [Header("Rig")]

@@ -12,6 +12,7 @@ namespace NeuronMocap.Unity
     /// turn away from the avatar's T-pose as the performer's bones do.
     /// </summary>
     [AddComponentMenu("NeuronMocap/Humanoid Driver")]
+    [HelpURL(HelpPage.Components + "#humanoid-driver")]
     public sealed class HumanoidDriver : FigureDriver
     {
         [Header("Humanoid")]

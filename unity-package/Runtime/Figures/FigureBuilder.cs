@@ -10,6 +10,7 @@ namespace NeuronMocap.Unity
     /// to see motion. The figure is built again when the sizes change. It is a child of this object and is destroyed with this component.
     /// </summary>
     [AddComponentMenu("NeuronMocap/Figure Builder")]
+    [HelpURL(HelpPage.Components + "#figure-builder")]
     [RequireComponent(typeof(HumanoidDriver))]
     [DefaultExecutionOrder(-50)]
     [DisallowMultipleComponent]

@@ -12,6 +12,7 @@ namespace NeuronMocap.Unity
     /// when their data stops, and are destroyed after a while. Use it on the main thread.
     /// </summary>
     [AddComponentMenu("NeuronMocap/Performer Spawner")]
+    [HelpURL(HelpPage.Components + "#performer-spawner")]
     [DefaultExecutionOrder(200)]
     public sealed class PerformerSpawner : MonoBehaviour
     {

@@ -13,6 +13,7 @@ namespace NeuronMocap.Unity
     /// while this component is enabled.
     /// </summary>
     [AddComponentMenu("NeuronMocap/Stage Builder")]
+    [HelpURL(HelpPage.Components + "#stage-builder")]
     [DefaultExecutionOrder(300)]
     [DisallowMultipleComponent]
     public sealed class StageBuilder : MonoBehaviour
@@ -21,7 +22,6 @@ namespace NeuronMocap.Unity
         private const float PlaneSize = 10;
         private const int TextureSize = 128;
         private const int LineWidth = 2;
-        private const float FollowSeconds = 0.4f;
 
         // Components of a primitive plane. Player builds strip classes that no script names, and CreatePrimitive needs these.
         private static readonly Type[] PlaneParts = { typeof(MeshFilter), typeof(MeshRenderer), typeof(MeshCollider) };
@@ -52,7 +52,7 @@ namespace NeuronMocap.Unity
         private bool _camera = true;
 
         [SerializeField]
-        [Tooltip("The target that the camera looks at and follows; for a Figure Builder, its figure. Empty: this object.")]
+        [Tooltip("The figure that the camera looks at and follows: see Follow Camera. Empty: the camera looks at a point 1 m above this object.")]
         private Transform? _target;
 
         [SerializeField]
@@ -60,13 +60,11 @@ namespace NeuronMocap.Unity
         private Vector3 _viewpoint = new Vector3(1.2f, 0.6f, 3.4f);
 
         private GameObject? _stage;
-        private Transform? _cameraTransform;
-        private Vector3 _focus;
-        private bool _hasFocus;
+        private FollowCamera? _follow;
 
         /// <summary>
-        /// Gets or sets the target that the camera looks at and follows. For a <see cref="FigureBuilder"/>, it is the figure's hips. Null: this
-        /// object.
+        /// Gets or sets the figure that the camera looks at and follows: see <see cref="FollowCamera.Target"/>. Null: the camera looks at a point 1 m
+        /// above this object.
         /// </summary>
         public Transform? Target
         {
@@ -139,14 +137,13 @@ namespace NeuronMocap.Unity
         private void LateUpdate()
         {
             Build();
-            if (_cameraTransform == null)
+            if (_follow == null)
                 return;
 
-            Vector3 target = FindTarget();
-            _focus = _hasFocus ? Vector3.Lerp(_focus, target, 1 - Mathf.Exp(-Time.unscaledDeltaTime / FollowSeconds)) : target;
-            _hasFocus = true;
-            _cameraTransform.position = _focus + _viewpoint;
-            _cameraTransform.LookAt(_focus);
+            _follow.Target = _target;
+            _follow.Viewpoint = _viewpoint;
+            if (_target == null)
+                LookAtStage(_follow.transform);
         }
 
         private void OnDisable()
@@ -154,19 +151,14 @@ namespace NeuronMocap.Unity
             Disposal.Destroy(_stage);
             _stage = null;
             Camera = null;
-            _cameraTransform = null;
-            _hasFocus = false;
+            _follow = null;
         }
 
-        // The object of a built figure stays in place; only the figure walks.
-        private Vector3 FindTarget()
+        private void LookAtStage(Transform eye)
         {
-            if (_target == null)
-                return transform.position + Vector3.up;
-
-            return _target.TryGetComponent(out FigureBuilder builder) && builder.Figure is { IsDestroyed: false } figure
-                ? figure.GetBone(Bone.Hips).position
-                : _target.position;
+            Vector3 focus = transform.position + Vector3.up;
+            eye.position = focus + _viewpoint;
+            eye.LookAt(focus);
         }
 
         private void AddGround(Transform stage, OwnedObjects owned)
@@ -199,7 +191,7 @@ namespace NeuronMocap.Unity
             Camera = eye.AddComponent<Camera>();
             Camera.nearClipPlane = 0.05f;
             Camera.fieldOfView = 45;
-            _cameraTransform = eye.transform;
+            _follow = eye.AddComponent<FollowCamera>();
         }
 
         // A square metre: white with grey edges, coloured by the material.

@@ -11,6 +11,7 @@ namespace NeuronMocap.Unity
     /// <see cref="MotionRecorder"/> writes BVH. Use it on the main thread.
     /// </summary>
     [AddComponentMenu("NeuronMocap/Clip Recorder")]
+    [HelpURL(HelpPage.Components + "#clip-recorder")]
     [DefaultExecutionOrder(1000)]
     public sealed class ClipRecorder : MonoBehaviour
     {

@@ -13,6 +13,7 @@ namespace NeuronMocap.Unity
     /// with the component or the source, and when the application quits. If the process is killed, the files can still be opened.
     /// </summary>
     [AddComponentMenu("NeuronMocap/Motion Recorder")]
+    [HelpURL(HelpPage.Components + "#motion-recorder")]
     public sealed class MotionRecorder : MonoBehaviour
     {
         // Files are usually complete much earlier, unless the disk is very slow. An incomplete file can still be opened.

@@ -15,6 +15,7 @@ namespace NeuronMocap.Unity
     /// </para>
     /// </summary>
     [AddComponentMenu("NeuronMocap/Mocap Source")]
+    [HelpURL(HelpPage.Components + "#mocap-source")]
     [DefaultExecutionOrder(-100)]
     [DisallowMultipleComponent]
     public sealed partial class MocapSource : MonoBehaviour

@@ -9,4 +9,6 @@ public enum BuildTarget
     StandaloneWindows64 = 19,
     WebGL = 20,
     StandaloneLinux64 = 24,
+    tvOS = 37,
+    VisionOS = 47,
 }

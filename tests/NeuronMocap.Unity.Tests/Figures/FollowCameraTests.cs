@@ -1,0 +1,97 @@
+using NeuronMocap.Unity.Tests.Drivers;
+using NeuronMocap.Unity.Tests.Infrastructure;
+
+namespace NeuronMocap.Unity.Tests.Figures;
+
+public sealed class FollowCameraTests : IDisposable
+{
+    private readonly PlayerLoop _loop = new();
+    private readonly FollowCamera _follow = new GameObject("Eye").AddComponent<FollowCamera>();
+
+    public void Dispose() => _loop.Dispose();
+
+    [Fact]
+    public void Without_a_target_the_object_stays()
+    {
+        _follow.transform.position = new Vector3(1, 2, 3);
+        _loop.Frames(3);
+        Assert.Equal(new Vector3(1, 2, 3), _follow.transform.position);
+    }
+
+    [Fact]
+    public void It_is_at_its_viewpoint_in_the_first_frame_and_looks_at_the_target()
+    {
+        _follow.Target = new GameObject("Target").transform;
+        _follow.Target.position = new Vector3(4, 1, 2);
+        _loop.Frame();
+        AssertLooksAt(_follow.Target.position);
+    }
+
+    [Fact]
+    public void A_time_of_0_follows_at_once()
+    {
+        _follow.Target = new GameObject("Target").transform;
+        _follow.FollowTime = 0;
+        for (int i = 0; i < 5; i++)
+        {
+            _follow.Target.position = new Vector3(i * 3, 1, -i);
+            _loop.Frame();
+            AssertLooksAt(_follow.Target.position);
+        }
+    }
+
+    [Fact]
+    public void The_distance_to_a_target_that_moved_falls_to_a_third_in_the_follow_time()
+    {
+        _follow.Target = new GameObject("Target").transform;
+        _follow.FollowTime = 0.5f;
+        _loop.Frame();
+        _follow.Target.position = new Vector3(9, 0, 0);
+        _loop.RunFor(0.5f);
+        float distance = (_follow.transform.position - (_follow.Target.position + _follow.Viewpoint)).magnitude;
+        Assert.InRange(distance, 9 * 0.33f, 9 * 0.4f);
+    }
+
+    [Fact]
+    public void The_hips_of_a_Humanoid_character_are_followed()
+    {
+        TestFigure figure = TestFigure.Build("Ann");
+        _follow.Target = figure.Animator.transform;
+        _follow.FollowTime = 0;
+        Transform hips = figure.Animator.GetBoneTransform(HumanBodyBones.Hips)!;
+        hips.position = new Vector3(2, 0.9f, 5);
+        _loop.Frame();
+        AssertLooksAt(hips.position);
+    }
+
+    [Fact]
+    public void Another_target_is_followed_by_its_own_kind()
+    {
+        _follow.FollowTime = 0;
+        FigureBuilder builder = new GameObject("Figure").AddComponent<FigureBuilder>();
+        Transform box = new GameObject("Box").transform;
+        box.position = new Vector3(-3, 0, 0);
+        _follow.Target = builder.transform;
+        _loop.Frames(2);
+        AssertLooksAt(builder.Figure!.GetBone(Bone.Hips).position);
+
+        _follow.Target = box;
+        _loop.Frame();
+        AssertLooksAt(box.position);
+    }
+
+    [Fact]
+    public void Following_allocates_nothing()
+    {
+        _follow.Target = TestFigure.Build("Ann").Animator.transform;
+        _loop.Frames(3);
+        FrameAllocations.AssertNone(_loop);
+    }
+
+    private void AssertLooksAt(Vector3 focus)
+    {
+        Transform eye = _follow.transform;
+        Assert.True((eye.position - (focus + _follow.Viewpoint)).magnitude < 1e-3f, $"{eye.position}");
+        Assert.True(Vector3.Angle(eye.forward, focus - eye.position) < 0.1f);
+    }
+}

@@ -1,0 +1,102 @@
+#nullable enable
+
+using UnityEngine;
+using Vector3 = UnityEngine.Vector3;
+
+namespace NeuronMocap.Unity
+{
+    /// <summary>Moves its object with a figure and looks at the figure, so that a camera on this object keeps the figure in the picture.</summary>
+    [AddComponentMenu("NeuronMocap/Follow Camera")]
+    [HelpURL(HelpPage.Components + "#follow-camera")]
+    [DefaultExecutionOrder(310)]
+    [DisallowMultipleComponent]
+    public sealed class FollowCamera : MonoBehaviour
+    {
+        [SerializeField]
+        [Tooltip("The figure to follow: its hips if it is a built figure or a Humanoid character, otherwise its own position. Empty: the object stays.")]
+        private Transform? _target;
+
+        [SerializeField]
+        [Tooltip("Position relative to the target, in metres along the axes of the scene.")]
+        private Vector3 _viewpoint = new Vector3(1.2f, 0.6f, 3.4f);
+
+        [SerializeField]
+        [Range(0, 5)]
+        [Tooltip("Time in which the distance to a target that moved falls to about a third, in seconds. 0: follow at once.")]
+        private float _followTime = 0.4f;
+
+        private Vector3 _focus;
+        private bool _hasFocus;
+        private Transform? _seenTarget;
+        private FigureBuilder? _builder;
+        private Animator? _animator;
+
+        /// <summary>
+        /// Gets or sets the figure to follow: its hips if it is a built figure or a Humanoid character, otherwise its own position. Null: the object
+        /// stays.
+        /// </summary>
+        public Transform? Target
+        {
+            get => _target;
+            set => _target = value;
+        }
+
+        /// <summary>Gets or sets the position relative to the target, in metres along the axes of the scene.</summary>
+        public Vector3 Viewpoint
+        {
+            get => _viewpoint;
+            set => _viewpoint = value;
+        }
+
+        /// <summary>
+        /// Gets or sets the time in which the distance to a target that moved falls to about a third, in seconds. 0: follow at once. Game time that is
+        /// paused or slow does not change it.
+        /// </summary>
+        public float FollowTime
+        {
+            get => _followTime;
+            set => _followTime = Mathf.Clamp(value, 0, 5);
+        }
+
+        /// <summary>Moves to the viewpoint at once, in edit mode, too.</summary>
+        public void Snap()
+        {
+            _hasFocus = false;
+            Follow();
+        }
+
+        private void OnEnable() => _hasFocus = false;
+
+        private void LateUpdate() => Follow();
+
+        private void Follow()
+        {
+            if (_target == null)
+                return;
+
+            Vector3 target = FindFocus(_target);
+            float part = _hasFocus && _followTime > 0 ? 1 - Mathf.Exp(-Time.unscaledDeltaTime / _followTime) : 1;
+            _focus = Vector3.Lerp(_focus, target, part);
+            _hasFocus = true;
+            transform.position = _focus + _viewpoint;
+            transform.LookAt(_focus);
+        }
+
+        // The object of a built figure or of a character can stay in place while the hips walk.
+        private Vector3 FindFocus(Transform target)
+        {
+            if (_seenTarget != target)
+            {
+                _seenTarget = target;
+                target.TryGetComponent(out _builder);
+                target.TryGetComponent(out _animator);
+            }
+
+            if (_builder != null)
+                return _builder.Figure is { IsDestroyed: false } figure ? figure.GetBone(Bone.Hips).position : target.position + Vector3.up;
+
+            Transform? hips = _animator != null && _animator.isHuman ? _animator.GetBoneTransform(HumanBodyBones.Hips) : null;
+            return hips != null ? hips.position : target.position;
+        }
+    }
+}
