@@ -42,6 +42,9 @@ namespace NeuronMocap.Unity
 
         private protected abstract void CopyBoneWeights(BoneWeights weights);
 
+        // Takes the pose that another part of the package gave the figure for the driver's own, not for that of an Animator.
+        internal void AdoptPose() => _rig?.Writer.Adopt();
+
         private protected void Awake() => TryBind();
 
         private protected void OnEnable()

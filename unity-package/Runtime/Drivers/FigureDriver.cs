@@ -191,7 +191,7 @@ namespace NeuronMocap.Unity
         }
 
         /// <summary>
-        /// Gets or sets how much of the motion the figure follows, 0 to 1. The remainder is its rest pose, or the pose of an Animator. The default is
+        /// Gets or sets how much of the motion the figure follows, 0 to 1. The remainder is the last pose of an Animator, or the rest pose. The default is
         /// 1.
         /// </summary>
         public float Weight

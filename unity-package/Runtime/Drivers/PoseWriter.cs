@@ -8,17 +8,20 @@ using Vector3 = UnityEngine.Vector3;
 
 namespace NeuronMocap.Unity
 {
-    // Writes poses to transforms. With a weight below 1, it mixes them with the pose that another component, usually an Animator, wrote in the
-    // meantime. If there is no such pose, it mixes them with the rest pose. Main thread.
+    // Writes poses to transforms. With a weight below 1, it mixes them with the pose of other components, usually an Animator. An Animator may write in
+    // some frames only: in fixed updates, or while the figure is visible. Its last pose counts until it writes again. If no other component has
+    // written, the rest pose counts. Main thread.
     internal sealed class PoseWriter
     {
         private readonly Transform[] _nodes;
         private readonly int _hips;
-        private readonly Quaternion[] _rest;
-        private readonly Quaternion[] _written;
-        private readonly bool[] _isWritten;
         private readonly bool[] _isBetween;
+        private readonly bool[] _isWritten;
+        private readonly Quaternion[] _rest;
+        private readonly Quaternion[] _others;
+        private readonly Quaternion[] _written;
         private readonly Vector3 _hipsRest;
+        private Vector3 _hipsOthers;
         private Vector3 _hipsWritten;
         private bool _hasBegun;
 
@@ -26,17 +29,22 @@ namespace NeuronMocap.Unity
         {
             _nodes = nodes;
             _hips = rig.HipsNode;
-            _rest = new Quaternion[nodes.Length];
-            _isWritten = new bool[nodes.Length];
             _isBetween = new bool[nodes.Length];
+            _isWritten = new bool[nodes.Length];
+            _rest = new Quaternion[nodes.Length];
+            _written = new Quaternion[nodes.Length];
             for (int node = 0; node < nodes.Length; node++)
             {
-                _rest[node] = rig.Nodes[node].Rotation.ToUnity();
                 _isBetween[node] = rig.GetHumanoidBone(node) is null && rig.GetBone(node) is null;
+                _rest[node] = rig.Nodes[node].Rotation.ToUnity();
+
+                // The pose that the figure has in the scene counts as nobody's.
+                _written[node] = nodes[node].localRotation;
             }
 
-            _written = (Quaternion[])_rest.Clone();
-            _hipsWritten = _hipsRest = rig.Nodes[_hips].Position.ToUnity();
+            _others = (Quaternion[])_rest.Clone();
+            _hipsOthers = _hipsRest = rig.Nodes[_hips].Position.ToUnity();
+            _hipsWritten = nodes[_hips].localPosition;
         }
 
         public void Write(RetargetedPose pose, float weight)
@@ -48,7 +56,7 @@ namespace NeuronMocap.Unity
             for (int node = 0; node < _nodes.Length; node++)
             {
                 if (!pose.IsDriven(node))
-                    Release(node);
+                    Release(node, _others[node], _hipsOthers);
                 else if (_nodes[node] != null)
                     Turn(node, rotations[node].ToUnity(), weight);
             }
@@ -64,7 +72,20 @@ namespace NeuronMocap.Unity
         public void Restore()
         {
             for (int node = 0; node < _nodes.Length; node++)
-                Release(node);
+                Release(node, _rest[node], _hipsRest);
+        }
+
+        // Takes the driven transforms as they stand for written by this object, after another part of the package has changed them.
+        public void Adopt()
+        {
+            for (int node = 0; node < _nodes.Length; node++)
+            {
+                if (_isWritten[node] && _nodes[node] != null)
+                    _written[node] = _nodes[node].localRotation;
+            }
+
+            if (_isWritten[_hips] && _nodes[_hips] != null)
+                _hipsWritten = _nodes[_hips].localPosition;
         }
 
         // Poses assume that intermediate transforms, such as twist bones, are at rest, whatever their pose in the scene was. After that, other
@@ -79,8 +100,8 @@ namespace NeuronMocap.Unity
             }
         }
 
-        // A bone that is no longer driven belongs to other components. It returns to rest unless another component has moved it.
-        private void Release(int node)
+        // A bone that is no longer driven belongs to other components. It returns to the given pose unless another component has moved it.
+        private void Release(int node, Quaternion rotation, Vector3 position)
         {
             if (!_isWritten[node])
                 return;
@@ -91,23 +112,28 @@ namespace NeuronMocap.Unity
                 return;
 
             if (transform.localRotation.Equals(_written[node]))
-                transform.localRotation = _rest[node];
+            {
+                transform.localRotation = rotation;
+                _written[node] = transform.localRotation;
+            }
+
             if (node == _hips && transform.localPosition.Equals(_hipsWritten))
-                transform.localPosition = _hipsRest;
-            _written[node] = _rest[node];
+            {
+                transform.localPosition = position;
+                _hipsWritten = transform.localPosition;
+            }
         }
 
         private void Turn(int node, Quaternion rotation, float weight)
         {
+            // Equals compares exactly; == ignores differences of less than a quarter of a degree.
             Transform transform = _nodes[node];
-            if (weight < 1)
-            {
-                Quaternion present = transform.localRotation;
-                rotation = Quaternion.Slerp(present.Equals(_written[node]) ? _rest[node] : present, rotation, weight);
-            }
+            Quaternion present = transform.localRotation;
+            if (!present.Equals(_written[node]))
+                _others[node] = present;
 
-            // Reads the value back, because Unity normalises it. Equals compares exactly; == ignores differences of less than a quarter of a degree.
-            transform.localRotation = rotation;
+            // Reads the value back, because Unity normalises it.
+            transform.localRotation = weight < 1 ? Quaternion.Slerp(_others[node], rotation, weight) : rotation;
             _written[node] = transform.localRotation;
             _isWritten[node] = true;
         }
@@ -115,13 +141,11 @@ namespace NeuronMocap.Unity
         private void Move(Vector3 position, float weight)
         {
             Transform hips = _nodes[_hips];
-            if (weight < 1)
-            {
-                Vector3 present = hips.localPosition;
-                position = Vector3.Lerp(present.Equals(_hipsWritten) ? _hipsRest : present, position, weight);
-            }
+            Vector3 present = hips.localPosition;
+            if (!present.Equals(_hipsWritten))
+                _hipsOthers = present;
 
-            hips.localPosition = position;
+            hips.localPosition = weight < 1 ? Vector3.Lerp(_hipsOthers, position, weight) : position;
             _hipsWritten = hips.localPosition;
         }
     }
