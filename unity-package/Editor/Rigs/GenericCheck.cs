@@ -40,8 +40,7 @@ namespace NeuronMocap.Unity.EditorTools
         private static RigProblem WithoutHips(GenericRigDriver driver, Transform root)
         {
             string text = $"No transform below {root.name} is called {driver.Prefix}Hips.";
-            string[] names = root.GetComponentsInChildren<Transform>(true).Skip(1).Select(child => child.name).ToArray();
-            RigBinding guess = RigBinder.Bind(names);
+            RigBinding guess = GenericRigDriver.BindNames(root, prefix: null, out _);
             return driver.Prefix.Length > 0 && guess.GetNode(Bone.Hips) >= 0
                 ? new RigProblem(
                     Severity.Error,

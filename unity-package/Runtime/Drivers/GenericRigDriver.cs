@@ -9,8 +9,8 @@ using UnityEngine;
 namespace NeuronMocap.Unity
 {
     /// <summary>
-    /// Moves transforms without a Humanoid avatar. It finds them by the stream's bone names with a prefix such as "Robot_", or in an explicit list.
-    /// They must be in the T-pose when the component wakes up, unless a skin provides a bind pose.
+    /// Moves transforms without a Humanoid avatar. It finds them by the bone names of the stream or of well-known programs, with a prefix such as
+    /// "Robot_", or in an explicit list. They must be in the T-pose when the component wakes up, unless a skin provides a bind pose.
     /// </summary>
     [AddComponentMenu("NeuronMocap/Generic Rig Driver")]
     public sealed class GenericRigDriver : FigureDriver
@@ -103,12 +103,7 @@ namespace NeuronMocap.Unity
 
         internal Transform?[] FindBones(Transform root)
         {
-            Transform[] all = root.GetComponentsInChildren<Transform>(true);
-            string[] names = Array.ConvertAll(all, node => node.name);
-
-            // The root itself is not a bone, whatever its name.
-            names[0] = string.Empty;
-            RigBinding binding = RigBinder.Bind(names, _prefix.Length > 0 ? _prefix : null);
+            RigBinding binding = BindNames(root, _prefix.Length > 0 ? _prefix : null, out Transform[] all);
             var bones = new Transform?[BoneHierarchy.BoneCount];
             for (int bone = 0; bone < bones.Length; bone++)
                 bones[bone] = binding.Nodes[bone] is var node && node > 0 ? all[node] : null;
@@ -128,6 +123,25 @@ namespace NeuronMocap.Unity
 
             MissingBones = missing;
             return bones;
+        }
+
+        // all: the transforms in the order of the binding's nodes.
+        internal static RigBinding BindNames(Transform root, string? prefix, out Transform[] all)
+        {
+            all = root.GetComponentsInChildren<Transform>(true);
+            string[] names = Array.ConvertAll(all, node => node.name);
+
+            // The root itself is not a bone, whatever its name.
+            names[0] = string.Empty;
+            var indices = new Dictionary<Transform, int>();
+            var parents = new int[all.Length];
+            for (int node = 0; node < all.Length; node++)
+            {
+                parents[node] = node == 0 ? -1 : indices[all[node].parent!];
+                indices.Add(all[node], node);
+            }
+
+            return RigBinder.Bind(names, prefix, parents: parents);
         }
 
         // A transform belongs to one bone only: the bone that it is listed for.
