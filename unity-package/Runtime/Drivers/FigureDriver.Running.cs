@@ -164,6 +164,7 @@ namespace NeuronMocap.Unity
             options.RootMotion = _rootMotion;
             options.HeightOffset = float.IsFinite(_heightOffset) ? _heightOffset : 0;
             options.Scale = _automaticScale || !(_scale >= 0 && float.IsFinite(_scale)) ? (float?)null : _scale;
+            options.Displacement = _displacement;
             options.Weights.Reset();
             _partWeights.CopyTo(options.Weights);
             CopyBoneWeights(options.Weights);

@@ -52,6 +52,10 @@ namespace NeuronMocap.Unity
         [SerializeField]
         private float _heightOffset;
 
+        [Tooltip("Place every bone where the performer's bone is, at the figure's size. The figure takes over the performer's proportions. For streams with displacement.")]
+        [SerializeField]
+        private bool _displacement;
+
         [Header("Feet")]
         [Tooltip("Hold feet where they touch the ground, and keep them above it. No effect with root motion In Place.")]
         [SerializeField]
@@ -157,6 +161,17 @@ namespace NeuronMocap.Unity
         {
             get => _heightOffset;
             set => _heightOffset = value;
+        }
+
+        /// <summary>
+        /// Gets or sets whether every driven bone takes over the position of the performer's bone, relative to the hips and scaled by leg length. The
+        /// figure takes over the performer's proportions. Use it with streams that have displacement; other streams have only the performer's known or
+        /// default sizes. The default is false: the figure keeps its own bone lengths.
+        /// </summary>
+        public bool Displacement
+        {
+            get => _displacement;
+            set => _displacement = value;
         }
 
         /// <summary>
