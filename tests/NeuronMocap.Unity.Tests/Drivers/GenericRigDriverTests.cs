@@ -40,6 +40,26 @@ public sealed class GenericRigDriverTests : SourceFixture
         AssertNear(Quaternion.identity, bones[Bone.LeftArm].localRotation);
     }
 
+    // As in rigs of Daz 3D and Character Creator.
+    [Fact]
+    public void Of_hip_and_pelvis_the_one_that_carries_legs_and_spine_is_driven()
+    {
+        GameObject rig = GenericRig.Build("", out Dictionary<Bone, Transform> bones);
+        bones[Bone.Hips].name = "hip";
+        Transform pelvis = new GameObject("pelvis").transform;
+        pelvis.SetParent(bones[Bone.Hips], worldPositionStays: false);
+        bones[Bone.LeftUpLeg].SetParent(pelvis);
+        bones[Bone.RightUpLeg].SetParent(pelvis);
+        GenericRigDriver driver = rig.AddComponent<GenericRigDriver>();
+        AddSimulator();
+        Loop.RunUntil(() => driver.IsDriving);
+
+        Assert.True((driver.Performer!.GetPosition(Bone.Head) - bones[Bone.Head].position).magnitude < 0.01f, "The trunk stayed behind.");
+        Assert.True((driver.Performer.GetPosition(Bone.LeftFoot) - bones[Bone.LeftFoot].position).magnitude < 0.01f, "The legs stayed behind.");
+        AssertNear(driver.Performer.GetRotation(Bone.Hips), bones[Bone.Hips].rotation);
+        AssertNear(Quaternion.identity, pelvis.localRotation);
+    }
+
     [Fact]
     public void Missing_hips_are_explained()
     {
