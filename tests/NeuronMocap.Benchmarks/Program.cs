@@ -104,11 +104,15 @@ sinks.Add(connections);
 sinks.Add(idler);
 sinks.SetAction(result => Sinks.Run(result.GetValue(port), result.GetValue(connections), result.GetValue(idler)));
 
-return await new RootCommand("Measures the receive path as ratios to a floor that is measured in the same run.")
-    {
-        throughput, latency, streams, avatars, consumers, broadcast, decode, bvh, kinematics, retarget, recording, playback, window, native, micro, flood, pace, sinks,
-    }
-    .Parse(args)
-    .InvokeAsync();
+var root = new RootCommand("Measures the receive path as ratios to a floor that is measured in the same run.")
+{
+    throughput, latency, streams, avatars, consumers, broadcast, decode, bvh, kinematics, retarget, recording, playback, window, native, micro, flood, pace, sinks,
+};
+#if UNITY_PACKAGE
+var unity = new Command("unity", "Cost of a rendered frame of the Unity package in the tests' stand-in of the engine.") { runs, json };
+unity.SetAction((result, _) => UnityFrames.RunAsync(result.GetValue(runs), Open(result)));
+root.Add(unity);
+#endif
+return await root.Parse(args).InvokeAsync();
 
 Report Open(ParseResult result) => new(result.CommandResult.Command.Name, result.GetValue(json));

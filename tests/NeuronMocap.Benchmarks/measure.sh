@@ -14,3 +14,6 @@ for build in net8.0 netstandard2.1; do
         dotnet "$scratch/$build/NeuronMocap.Benchmarks.dll" "$command" --json "$out/$build-$command.json"
     done
 done
+
+# The Unity package takes the netstandard2.1 build.
+dotnet "$scratch/netstandard2.1/NeuronMocap.Benchmarks.dll" unity --json "$out/netstandard2.1-unity.json"
