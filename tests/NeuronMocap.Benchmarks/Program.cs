@@ -65,8 +65,12 @@ sinks.Add(Connections);
 sinks.Add(idler);
 sinks.SetAction(result => Sinks.Run(result.GetValue(port), result.GetValue(Connections), result.GetValue(idler)));
 
-return await Root(
-        Throughput(), latency, streams, avatars, consumers, broadcast, decode, bvh, kinematics, retarget, recording, playback,
-        Window(), native, micro, Flood(), Pace(), sinks)
-    .Parse(args)
-    .InvokeAsync();
+RootCommand root = Root(
+    Throughput(), latency, streams, avatars, consumers, broadcast, decode, bvh, kinematics, retarget, recording, playback, Window(), native, micro,
+    Flood(), Pace(), sinks);
+#if UNITY_PACKAGE
+var unity = new Command("unity", "Cost of a rendered frame of the Unity package in the tests' stand-in of the engine.") { Runs, Json };
+unity.SetAction((result, _) => UnityFrames.RunAsync(result.GetValue(Runs), Open(result)));
+root.Add(unity);
+#endif
+return await root.Parse(args).InvokeAsync();

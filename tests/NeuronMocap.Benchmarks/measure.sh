@@ -18,6 +18,9 @@ for build in net8.0 netstandard2.1; do
     done
 done
 
+# The Unity package takes the netstandard2.1 build.
+dotnet "$scratch/netstandard2.1/NeuronMocap.Benchmarks.dll" unity --json "$out/netstandard2.1-unity.json"
+
 build netstandard2.0 netstandard2.0
 ! command -v mono > /dev/null || build netstandard2.0 mono -p:TestFramework=net472
 for command in throughput window; do

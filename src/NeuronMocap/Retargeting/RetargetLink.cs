@@ -23,4 +23,10 @@ internal readonly struct RetargetLink
     public Quaternion After { get; init; }
 
     public Vector3 Handedness { get; init; }
+
+    // At rest, the way from the closest driven ancestor to the node, in metres in the source's axes.
+    public Vector3 RestWay { get; init; }
+
+    // The factors from metres to the units of the node's position.
+    public Vector3 Units { get; init; }
 }

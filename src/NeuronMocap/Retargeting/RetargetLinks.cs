@@ -52,6 +52,11 @@ internal static class RetargetLinks
             Before = Quaternion.Conjugate(toSource * parentRest),
             After = toSource * rig.RestRotations[node],
             Handedness = rig.HandednessAt(node),
+            RestWay = above < 0 ? default : Vector3.Transform(rig.RestPositions[node] - rig.RestPositions[above], toSource),
+            Units = new Vector3(Invert(rig.ScaleAbove(node).X), Invert(rig.ScaleAbove(node).Y), Invert(rig.ScaleAbove(node).Z)),
         };
     }
+
+    // Below a scale of zero, positions have no effect.
+    private static float Invert(float scale) => scale == 0 ? 0 : 1 / scale;
 }

@@ -35,6 +35,17 @@ public sealed class RetargetOptions
             : throw new ArgumentOutOfRangeException(nameof(value), value, "The scale must be a number, 0 or more, or null.");
     }
 
+    /// <summary>
+    /// Gets or sets whether every driven bone takes over the position of the actor's bone as well as its rotation. The default is false: the character
+    /// keeps its own bone lengths.
+    /// </summary>
+    /// <remarks>
+    /// Positions are relative to the hips and scaled by leg length, whatever <see cref="Scale"/> is. The character thus takes over the actor's
+    /// proportions, and keeps its size. Use it with streams that have displacement; other poses only have the known or default sizes of the actor. On
+    /// a sheared rig, positions are approximate.
+    /// </remarks>
+    public bool Displacement { get; set; }
+
     /// <summary>Gets or sets how much of the actor's motion each bone takes over. By default every bone follows the actor fully.</summary>
     /// <exception cref="ArgumentNullException">The value is null.</exception>
     public BoneWeights Weights

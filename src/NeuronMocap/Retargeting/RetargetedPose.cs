@@ -3,13 +3,15 @@ using System.Numerics;
 namespace NeuronMocap.Retargeting;
 
 /// <summary>
-/// A pose of a character, ready to be written to transforms in Unity's axes: a local rotation for each node of a rig, and a local position for the
-/// hips. It is the rest pose until a frame is retargeted into it. The constructor allocates all memory. Not thread-safe.
+/// A pose of a character, ready to be written to transforms in Unity's axes: a local rotation and a local position for each node of a rig. Without
+/// <see cref="RetargetOptions.Displacement"/>, only the position of the hips differs from the rest pose. It is the rest pose until a frame is retargeted into it. The constructor allocates all memory. Not thread-safe.
 /// </summary>
 public sealed class RetargetedPose
 {
     private readonly Quaternion[] _local;
+    private readonly Vector3[] _localPositions;
     private readonly bool[] _driven;
+    private readonly bool[] _moved;
     private readonly Quaternion[] _worldRotations;
     private readonly Vector3[] _worldPositions;
     private readonly Matrix4x4[]? _matrices;
@@ -22,7 +24,9 @@ public sealed class RetargetedPose
         Rig = rig;
         int count = rig.Nodes.Length;
         _local = new Quaternion[count];
+        _localPositions = new Vector3[count];
         _driven = new bool[count];
+        _moved = new bool[count];
         _worldRotations = new Quaternion[count];
         _worldPositions = new Vector3[count];
         _matrices = rig.IsSheared ? new Matrix4x4[count] : null;
@@ -35,8 +39,15 @@ public sealed class RetargetedPose
     /// <summary>Gets the localRotation of each node. A node that is not driven has its rest rotation.</summary>
     public Span<Quaternion> LocalRotations => _local;
 
+    /// <summary>Gets the localPosition of each node. A node that is not moved has its rest position.</summary>
+    public Span<Vector3> LocalPositions => _localPositions;
+
     /// <summary>Gets or sets the localPosition of the hips.</summary>
-    public Vector3 HipsLocalPosition { get; set; }
+    public Vector3 HipsLocalPosition
+    {
+        get => _localPositions[Rig.HipsNode];
+        set => _localPositions[Rig.HipsNode] = value;
+    }
 
     /// <summary>
     /// Gets the positions of the nodes in the space of the character's root, in metres, as of the last <see cref="UpdateWorld()"/>.
@@ -51,23 +62,29 @@ public sealed class RetargetedPose
     /// <returns>True if the pose drives the node. Always false before the first frame.</returns>
     public bool IsDriven(int node) => _driven[node];
 
+    /// <summary>Determines whether the pose moves a node as well as turns it: the driven hips, and with displacement the driven bones below them.</summary>
+    /// <param name="node">Index of a node.</param>
+    /// <returns>True if the pose moves the node. Always false before the first frame.</returns>
+    public bool IsMoved(int node) => _moved[node];
+
     /// <summary>Returns to the rest pose, with no driven nodes.</summary>
     public void Reset()
     {
         Rig.LocalRest.CopyTo(_local);
-        HipsLocalPosition = Rig.Nodes[Rig.HipsNode].Position;
+        Rig.LocalRestPositions.CopyTo(_localPositions);
         Array.Clear(_driven, 0, _driven.Length);
+        Array.Clear(_moved, 0, _moved.Length);
         UpdateWorld();
     }
 
     /// <summary>Computes <see cref="WorldPositions"/> and <see cref="WorldRotations"/> of all nodes.</summary>
     public void UpdateWorld() =>
-        Rig.ComputeWorld(_local, HipsLocalPosition, _worldPositions, _worldRotations, _matrices, 0, _local.Length);
+        Rig.ComputeWorld(_local, _localPositions, _worldPositions, _worldRotations, _matrices, 0, _local.Length);
 
     /// <summary>Computes the world positions and rotations of a node and its descendants. Those of its ancestors must be up to date.</summary>
     /// <param name="node">Index of a node.</param>
     public void UpdateWorld(int node) =>
-        Rig.ComputeWorld(_local, HipsLocalPosition, _worldPositions, _worldRotations, _matrices, node, Rig.SubtreeEnd(node));
+        Rig.ComputeWorld(_local, _localPositions, _worldPositions, _worldRotations, _matrices, node, Rig.SubtreeEnd(node));
 
     /// <summary>Gives a node a rotation in the space of the character's root, and updates its descendants.</summary>
     /// <param name="node">Index of a node. The <see cref="WorldRotations"/> of its parent must be up to date.</param>
@@ -101,12 +118,16 @@ public sealed class RetargetedPose
     {
         _driven[node] = true;
         SetLocalRotation(node, rotation);
+        Move(node, Rig.LocalRestPositions[node], isMoved: node == Rig.HipsNode);
     }
+
+    internal void Move(int node, Vector3 position, bool isMoved = true) => (_localPositions[node], _moved[node]) = (position, isMoved);
 
     internal void Rest(int node)
     {
         _driven[node] = false;
         _local[node] = Rig.LocalRest[node];
+        Move(node, Rig.LocalRestPositions[node], isMoved: false);
     }
 
     // Normalizes. Of the two quaternions of the rotation, it takes the one closer to the node's last value.

@@ -13,6 +13,7 @@ namespace NeuronMocap.Retargeting;
 public sealed class Retargeter
 {
     private readonly Quaternion[] _turns = new Quaternion[BoneHierarchy.BoneCount];
+    private readonly Vector3[] _joints = new Vector3[BoneHierarchy.BoneCount];
     private RetargetLink[] _links = [];
     private float _sourceHipsHeight;
     private float _naturalScale;
@@ -70,8 +71,8 @@ public sealed class Retargeter
 
     /// <summary>Transfers a pose to the character.</summary>
     /// <param name="localPose">
-    /// 59 transforms relative to the parent, in <see cref="Bone"/> order, in centimetres. Of the positions, only that of the hips is used: with or
-    /// without displacement, the character keeps its own bone lengths.
+    /// 59 transforms relative to the parent, in <see cref="Bone"/> order, in centimetres. Of the positions, only that of the hips is used, unless
+    /// <see cref="RetargetOptions.Displacement"/> is set.
     /// </param>
     /// <param name="result">Receives the pose. Unchanged when the frame is rejected.</param>
     /// <param name="reference">The parent of the hips: the stream's Reference node, which turns and moves the whole body. Null: none.</param>
@@ -92,6 +93,9 @@ public sealed class Retargeter
             RejectedCount++;
             return false;
         }
+
+        if (Options.Displacement)
+            PlaceJoints(localPose);
 
         foreach (ref readonly RetargetLink link in _links.AsSpan())
             Apply(link, result);
@@ -134,6 +138,24 @@ public sealed class Retargeter
             bend = Part(bend, weight);
 
         result.Drive(link.Node, Handedness.Apply(link.Handedness, link.Before * bend * link.After));
+        if (Options.Displacement && link.SourceAbove >= 0)
+            Displace(link, weight, result);
+    }
+
+    // The actor's joints relative to the hips, in Unity's axes.
+    private void PlaceJoints(ReadOnlySpan<BoneTransform> localPose)
+    {
+        ReadOnlySpan<sbyte> parents = BoneHierarchy.ParentIndices(Body.Variant);
+        for (int bone = 1; bone < _joints.Length; bone++)
+            _joints[bone] = _joints[parents[bone]] + Vector3.Transform(UnityAxes.ToUnityPosition(localPose[bone].Position), _turns[parents[bone]]);
+    }
+
+    // Moves a node to the place of the actor's joint, relative to the driven bone above it. Nodes between the two are at rest.
+    private void Displace(in RetargetLink link, float weight, RetargetedPose result)
+    {
+        Vector3 way = Vector3.Transform(_joints[link.Source] - _joints[link.SourceAbove], Quaternion.Conjugate(_turns[link.SourceAbove]));
+        Vector3 shift = Vector3.Transform((way * _naturalScale) - link.RestWay, link.Before) * link.Units;
+        result.Move(link.Node, Rig.LocalRestPositions[link.Node] + (shift * weight));
     }
 
     private void MoveHips(Vector3 position, RetargetedPose result)

@@ -13,6 +13,8 @@ namespace NeuronMocap.Retargeting;
 /// <item><description>The same name regardless of case and separators. The side may be a word or a letter, in front or behind.</description></item>
 /// <item><description>Names common in other rigs, such as "thigh" or "upper_leg" (table in docs/guide/retargeting.md).</description></item>
 /// </list>
+/// It knows the names of several programs, and uses those that find the most bones. If several nodes have a name of the hips, such as "hip" and
+/// "pelvis", the hips are the node that carries both the legs and the spine.
 /// </remarks>
 public static class RigBinder
 {
@@ -25,70 +27,53 @@ public static class RigBinder
     /// <param name="suffix">What the names end with.</param>
     /// <param name="variant">How the stream divides spine and neck.</param>
     /// <param name="overrides">Full node names, for bones whose names follow no rule. These bones are searched for under no other name.</param>
+    /// <param name="parents">The index of each node's parent, or -1. Null: unknown. The hips are then found by name only.</param>
     /// <returns>The bones that were found, and those that were not.</returns>
+    /// <exception cref="ArgumentException">There is not one parent for each name, or a parent comes after its child.</exception>
     public static RigBinding Bind(
         IReadOnlyList<string> nodeNames,
         string? prefix = null,
         string suffix = "",
         SkeletonVariant variant = SkeletonVariant.Neck1,
-        IReadOnlyDictionary<Bone, string>? overrides = null)
+        IReadOnlyDictionary<Bone, string>? overrides = null,
+        IReadOnlyList<int>? parents = null)
     {
         ArgumentNullException.ThrowIfNull(nodeNames);
         ArgumentNullException.ThrowIfNull(suffix);
-        if (prefix is not null)
-            return BindWith(nodeNames, prefix, suffix, variant, overrides);
+        CheckParents(nodeNames.Count, parents);
 
-        return GuessPrefixes(nodeNames, suffix)
-            .Append("")
-            .Select(guess => BindWith(nodeNames, guess, suffix, variant, overrides))
-            .Aggregate(static (best, next) => next.FoundCount > best.FoundCount ? next : best);
+        // The first of equally good searches wins: the shortest prefix, and the stream's own names.
+        IEnumerable<string> prefixes = prefix is not null ? [prefix] : GuessPrefixes(nodeNames, suffix).Append("");
+        return prefixes
+            .Select(tried => new RigNodeSearch(nodeNames, tried, suffix, variant, overrides))
+            .SelectMany(search => RigNames.Rows(variant).Select(search.Find))
+            .Aggregate(static (best, next) => next.MatchCount > best.MatchCount ? next : best)
+            .ToBinding(parents);
     }
 
-    private static RigBinding BindWith(
-        IReadOnlyList<string> names, string prefix, string suffix, SkeletonVariant variant, IReadOnlyDictionary<Bone, string>? overrides)
+    private static void CheckParents(int count, IReadOnlyList<int>? parents)
     {
-        NodeName[] read = [.. names.Select(name => NodeName.Read(Strip(name, prefix, suffix)))];
-        int[] nodes = new int[BoneHierarchy.BoneCount];
-        List<RigAmbiguity> ambiguities = [];
-        foreach (Bone bone in BoneHierarchy.Bones)
+        if (parents is null)
+            return;
+        if (parents.Count != count)
+            throw new ArgumentException("There must be a parent for each name.", nameof(parents));
+
+        for (int node = 0; node < count; node++)
         {
-            List<int> found = overrides is not null && overrides.TryGetValue(bone, out string? whole)
-                ? Where(names.Count, i => string.Equals(names[i], whole, StringComparison.Ordinal))
-                : Find(bone, names, read, prefix, suffix, variant);
-            nodes[(int)bone] = found.Count > 0 ? found[0] : -1;
-            if (found.Count > 1)
-                ambiguities.Add(new RigAmbiguity(bone, found));
+            if (parents[node] < -1 || parents[node] >= node)
+                throw new ArgumentException($"Node {node} comes before its parent.", nameof(parents));
         }
-
-        return new RigBinding(nodes, prefix, ambiguities);
-    }
-
-    private static List<int> Find(
-        Bone bone, IReadOnlyList<string> names, NodeName[] read, string prefix, string suffix, SkeletonVariant variant)
-    {
-        string exact = prefix + BoneHierarchy.GetName(bone, variant) + suffix;
-        List<int> found = Where(names.Count, i => string.Equals(names[i], exact, StringComparison.Ordinal));
-        if (found.Count > 0)
-            return found;
-
-        foreach (NodeName accepted in BoneNames.Of(bone, variant))
-        {
-            found = Where(read.Length, i => read[i] == accepted);
-            if (found.Count > 0)
-                return found;
-        }
-
-        return found;
     }
 
     // The shortest prefixes first, each only once.
     private static IEnumerable<string> GuessPrefixes(IReadOnlyList<string> names, string suffix)
     {
         HashSet<string> prefixes = new(StringComparer.Ordinal);
+        string[] allHips = [.. RigNames.HipsWords];
         foreach (string name in names)
         {
-            string stripped = Strip(name, "", suffix);
-            foreach (string hips in BoneNames.OfHips)
+            string stripped = RigNodeSearch.Strip(name, "", suffix);
+            foreach (string hips in allHips)
             {
                 if (!stripped.EndsWith(hips, StringComparison.OrdinalIgnoreCase))
                     continue;
@@ -103,13 +88,4 @@ public static class RigBinder
 
         return prefixes.OrderBy(static prefix => prefix.Length);
     }
-
-    private static string Strip(string name, string prefix, string suffix)
-    {
-        if (name.StartsWith(prefix, StringComparison.OrdinalIgnoreCase))
-            name = name[prefix.Length..];
-        return name.EndsWith(suffix, StringComparison.OrdinalIgnoreCase) ? name[..^suffix.Length] : name;
-    }
-
-    private static List<int> Where(int count, Func<int, bool> matches) => [.. Enumerable.Range(0, count).Where(matches)];
 }

@@ -33,7 +33,7 @@ public enum RigFault
     /// <summary>Two bones have the same node.</summary>
     DuplicateMapping,
 
-    /// <summary>The node of a bone is not a descendant of the node of its parent bone.</summary>
+    /// <summary>The node of a bone is not a descendant of the node of its parent bone, or not of the node of the hips.</summary>
     InvalidHierarchy,
 
     /// <summary>Two nodes have the same name. Unity's avatar builder cannot distinguish them.</summary>

@@ -14,7 +14,7 @@ internal static class RigPoseCheck
 
     public static IEnumerable<RigIssue> Examine(TargetRig rig)
     {
-        foreach (RigIssue issue in ExamineAbove(rig).Concat(ExamineLengths(rig)))
+        foreach (RigIssue issue in ExamineHierarchy(rig).Concat(ExamineAbove(rig)).Concat(ExamineLengths(rig)))
             yield return issue;
 
         // If the sides are swapped, all angles are wrong, so nothing else is reported.
@@ -44,6 +44,21 @@ internal static class RigPoseCheck
         {
             yield return new RigIssue(RigFault.NotOnGround, RigSeverity.Warning, null, 0,
                 "At rest the feet are not at the height of the rig's origin, which is its ground. Feet will be planted too high or too low. Move the origin between the feet, or learn the ground height from the motion.",
+                CanFix: false);
+        }
+    }
+
+    private static IEnumerable<RigIssue> ExamineHierarchy(TargetRig rig)
+    {
+        RigNode[] nodes = rig.Nodes.ToArray();
+        for (int node = 0; node < nodes.Length; node++)
+        {
+            if (!rig.IsMapped(node) || rig.IsBelowHips(node))
+                continue;
+
+            string bone = rig.GetHumanoidBone(node)?.ToString() ?? $"{rig.GetBone(node)}";
+            yield return new RigIssue(RigFault.InvalidHierarchy, RigSeverity.Warning, rig.GetHumanoidBone(node), 0,
+                $"{nodes[node].Name}, which follows {bone}, is not below {nodes[rig.HipsNode].Name}, the hips. It will stay behind as the body moves. Map the hips to the transform that carries the legs and the spine.",
                 CanFix: false);
         }
     }

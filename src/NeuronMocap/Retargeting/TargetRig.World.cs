@@ -8,9 +8,9 @@ namespace NeuronMocap.Retargeting;
 public sealed partial class TargetRig
 {
     private readonly Quaternion[] _localRest;
+    private readonly Vector3[] _localRestPositions;
     private readonly Vector3[] _handedness;
     private readonly Vector3[] _scales;
-    private readonly Vector3[] _offsets;
     private readonly int[] _subtreeEnds;
     private readonly bool[] _isBelowHips;
     private readonly Matrix4x4 _hipsParentBack;
@@ -19,6 +19,8 @@ public sealed partial class TargetRig
     public bool IsSheared { get; }
 
     internal ReadOnlySpan<Quaternion> LocalRest => _localRest;
+
+    internal ReadOnlySpan<Vector3> LocalRestPositions => _localRestPositions;
 
     internal Matrix4x4[]? RestMatrices { get; }
 
@@ -30,11 +32,14 @@ public sealed partial class TargetRig
 
     internal Vector3 HandednessAt(int node) => _handedness[node];
 
+    // The product of the scales above a node.
+    internal Vector3 ScaleAbove(int node) => _nodes[node].Parent is None ? Vector3.One : _scales[_nodes[node].Parent];
+
     internal Vector3 ToHipsParent(Vector3 position) => Vector3.Transform(position, _hipsParentBack);
 
     internal void ComputeWorld(
         ReadOnlySpan<Quaternion> local,
-        Vector3 hipsPosition,
+        ReadOnlySpan<Vector3> localPositions,
         Span<Vector3> positions,
         Span<Quaternion> rotations,
         Matrix4x4[]? matrices,
@@ -44,26 +49,20 @@ public sealed partial class TargetRig
         for (int node = first; node < end; node++)
         {
             int parent = _nodes[node].Parent;
-            bool moved = node == HipsNode;
             Quaternion rotation = Handedness.Apply(_handedness[node], local[node]);
+            rotations[node] = parent == None ? rotation : rotations[parent] * rotation;
             if (matrices is not null)
             {
                 Matrix4x4 matrix = Matrix(local[node], _nodes[node].Scale);
-                matrix.Translation = moved ? hipsPosition : _nodes[node].Position;
+                matrix.Translation = localPositions[node];
                 matrices[node] = parent == None ? matrix : matrix * matrices[parent];
                 positions[node] = matrices[node].Translation;
-                rotations[node] = parent == None ? rotation : rotations[parent] * rotation;
-            }
-            else if (parent == None)
-            {
-                positions[node] = moved ? hipsPosition : _offsets[node];
-                rotations[node] = rotation;
             }
             else
             {
-                Vector3 offset = moved ? hipsPosition * _scales[parent] : _offsets[node];
-                positions[node] = positions[parent] + Vector3.Transform(offset, rotations[parent]);
-                rotations[node] = rotations[parent] * rotation;
+                positions[node] = parent == None
+                    ? localPositions[node]
+                    : positions[parent] + Vector3.Transform(localPositions[node] * _scales[parent], rotations[parent]);
             }
         }
     }
@@ -75,9 +74,8 @@ public sealed partial class TargetRig
         for (int node = 0; node < _nodes.Length; node++)
         {
             int parent = _nodes[node].Parent;
-            Vector3 above = parent == None ? Vector3.One : _scales[parent];
+            Vector3 above = ScaleAbove(node);
             _handedness[node] = Handedness.FromScale(above);
-            _offsets[node] = above * _nodes[node].Position;
             _scales[node] = above * _nodes[node].Scale;
             sheared |= !IsUniform(above);
             _isBelowHips[node] = node == HipsNode || (parent != None && _isBelowHips[parent]);

@@ -31,7 +31,6 @@ public sealed partial class TargetRig
         CheckHips(nameof(nodes));
 
         _handedness = new Vector3[nodes.Length];
-        _offsets = new Vector3[nodes.Length];
         _scales = new Vector3[nodes.Length];
         _subtreeEnds = new int[nodes.Length];
         _isBelowHips = new bool[nodes.Length];
@@ -41,7 +40,8 @@ public sealed partial class TargetRig
         _restPositions = new Vector3[nodes.Length];
         RestMatrices = IsSheared ? new Matrix4x4[nodes.Length] : null;
         _localRest = Array.ConvertAll(_nodes, node => node.Rotation);
-        ComputeWorld(_localRest, _nodes[hips].Position, _restPositions, _restRotations, RestMatrices, 0, nodes.Length);
+        _localRestPositions = Array.ConvertAll(_nodes, node => node.Position);
+        ComputeWorld(_localRest, _localRestPositions, _restPositions, _restRotations, RestMatrices, 0, nodes.Length);
         _hipsParentBack = InvertHipsParent(nameof(nodes));
 
         Facing = facing is { } given ? Quaternion.Normalize(given) : RigFacing.Find(this);
@@ -56,7 +56,7 @@ public sealed partial class TargetRig
     /// <summary>Gets whether the bones are Humanoid bones. Otherwise they are bones of the stream.</summary>
     public bool IsHumanoid => _nodeOfBone.Length == 0;
 
-    /// <summary>Gets the node of the hips, the only node that moves as well as turns.</summary>
+    /// <summary>Gets the node of the hips. Without displacement, it is the only node that moves as well as turns.</summary>
     public int HipsNode { get; }
 
     /// <summary>Gets the Humanoid bones that have a node, according to <see cref="GetNode(HumanoidBone)"/>.</summary>

@@ -18,11 +18,13 @@ internal static class RetargetCost
         var take = new Take();
         var plain = new Character(CreateRig(1), new RetargetOptions());
         var weighted = new Character(CreateRig(1), Half());
+        var displaced = new Character(CreateRig(1), new RetargetOptions { Displacement = true });
         var sheared = new Character(CreateRig(1.1f), new RetargetOptions());
         Way[] ways =
         [
             new("retarget", () => HotLoop.Measure(i => plain.Retarget(take[i]))),
             new("retarget, all weights one half", () => HotLoop.Measure(i => weighted.Retarget(take[i]))),
+            new("retarget, displacement", () => HotLoop.Measure(i => displaced.Retarget(take[i]))),
             new("places of all nodes", () => HotLoop.Measure(_ => plain.Result.UpdateWorld())),
             new("places of all nodes, sheared", () => HotLoop.Measure(_ => sheared.Result.UpdateWorld())),
             new("retarget, plant feet", () => HotLoop.Measure(i => plain.RetargetAndPlant(take[i], take.ContactsAt(i)))),
@@ -41,7 +43,7 @@ internal static class RetargetCost
     }
 
     // As tall as the default body, with a twist node between every two bones of arms and legs, as many characters have.
-    private static TargetRig CreateRig(float armatureHeight)
+    internal static TargetRig CreateRig(float armatureHeight, bool isTurned = true)
     {
         var random = new Random(1);
         List<RigNode> nodes = [new("Armature", -1, Vector3.Zero, Quaternion.Identity, new Vector3(1, armatureHeight, 1))];
@@ -61,8 +63,8 @@ internal static class RetargetCost
             }
 
             // Turned bones move the joints out of the T-pose. That matters to this measurement only in the legs.
-            bool isTurned = HumanoidBones.GetPart(bone) is not (BodyParts.Hips or BodyParts.LeftLeg or BodyParts.RightLeg);
-            Quaternion rotation = isTurned ? Quaternion.CreateFromYawPitchRoll(random.NextSingle(), random.NextSingle(), random.NextSingle()) : Quaternion.Identity;
+            bool turns = isTurned && HumanoidBones.GetPart(bone) is not (BodyParts.Hips or BodyParts.LeftLeg or BodyParts.RightLeg);
+            Quaternion rotation = turns ? Quaternion.CreateFromYawPitchRoll(random.NextSingle(), random.NextSingle(), random.NextSingle()) : Quaternion.Identity;
             nodes.Add(new RigNode(bone.ToString(), parent, way, rotation));
             int node = nodeByBone[(int)bone] = nodes.Count - 1;
             for (int child = 0; child < HumanoidBones.Count; child++)

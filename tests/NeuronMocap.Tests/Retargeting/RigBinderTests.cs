@@ -109,9 +109,14 @@ public sealed class RigBinderTests
     [InlineData(SkeletonVariant.Spine3)]
     public void No_name_belongs_to_two_bones(SkeletonVariant variant)
     {
-        NodeName[] names = [.. BoneHierarchy.Bones.ToArray().SelectMany(bone => BoneNames.Of(bone, variant))];
-        Assert.Equal(names.Length, names.Distinct().Count());
-        Assert.Equal(BoneNames.OfHips.Select(NodeName.Read), BoneNames.Of(Bone.Hips, variant));
+        Assert.All(RigNames.Rows(variant), row =>
+        {
+            (Bone Bone, NodeName[] Names)[] others = [.. row.Others()];
+            NodeName[] names = [.. others.SelectMany(static one => one.Names), .. row.SpineNames.SelectMany(static one => one), .. row.NeckNames.SelectMany(static one => one)];
+            Assert.Equal(names.Length, names.Distinct().Count());
+            Assert.Equal(others.Length, others.Select(static one => one.Bone).Distinct().Count());
+            Assert.Equal(others.First(static one => one.Bone == Bone.Hips).Names, row.HipsNames);
+        });
     }
 
     private static IEnumerable<string> Names(SkeletonVariant variant) =>

@@ -16,7 +16,7 @@ public sealed class EditorDependencyTests
         ["Recorders"] = [""],
         ["Reports"] = [""],
         ["Rigs"] = ["", "Reports"],
-        ["Inspectors"] = ["", "Diagnosis", "Recorders", "Reports", "Rigs"],
+        ["Inspectors"] = ["", "Diagnosis", "Preview", "Recorders", "Reports", "Rigs"],
         ["Window"] = ["", "Diagnosis", "Preview", "Reports"],
     });
 

@@ -1,5 +1,6 @@
 using NeuronMocap.Skeleton;
 using NeuronMocap.Unity.EditorTools;
+using NeuronMocap.Unity.Tests.Drivers;
 using UnityEditor;
 
 namespace NeuronMocap.Unity.Tests.Editor;
@@ -100,6 +101,20 @@ public class RigValidatorTests
         Assert.True(Quaternion.Angle(arm.localRotation, Quaternion.identity) < 12);
         Undo.PerformUndo();
         Assert.True(Quaternion.Angle(arm.localRotation, Quaternion.Euler(0, 0, 70)) < 0.1f);
+    }
+
+    [Fact]
+    public void Bones_that_are_not_below_the_hips_are_reported()
+    {
+        using var world = new EditorWorld();
+        GameObject rig = GenericRig.Build("", out Dictionary<Bone, Transform> bones);
+        bones[Bone.Spine].SetParent(rig.transform);
+        UnityEditor.Editor inspector = world.Inspect(rig.AddComponent<GenericRigDriver>());
+
+        ImmediateGui.Draw(inspector.OnInspectorGUI);
+
+        GuiControl warning = EditorWorld.Find("Spine, which follows Spine, is not below Hips");
+        Assert.Equal(("HelpBox", "Warning"), (warning.Kind, warning.Value));
     }
 
     [Fact]

@@ -73,6 +73,28 @@ public sealed class PerformerSpawnerTests : IDisposable
     }
 
     [Fact]
+    public void A_figure_that_was_idle_still_mixes_with_its_rest_pose()
+    {
+        MocapSource source = Stage.AddSimulator();
+        PerformerSpawner spawner = AddSpawner(source);
+        spawner.BlendSeconds = 0.2f;
+        spawner.DespawnSeconds = 0;
+        _loop.RunUntil(() => spawner.Figures.Count == 1 && spawner.Figures[0].Driver.IsDriving);
+        source.Close();
+        _loop.Frames(30);
+        source.Open();
+        SpawnedFigure figure = spawner.Figures[0];
+        _loop.RunUntil(() => !figure.IsIdle && figure.Driver.IsDriving);
+        _loop.Frames(30);
+
+        figure.Driver.Weight = 0.5f;
+        _loop.Frame();
+        Quaternion turn = figure.Performer.LocalPose[(int)Bone.LeftArm].Rotation.ToUnityRotation();
+        Transform arm = figure.Root.GetComponent<FigureBuilder>().Figure!.GetBone(Bone.LeftArm);
+        Assert.True(Quaternion.Angle(Quaternion.Slerp(Quaternion.identity, turn, 0.5f), arm.localRotation) < 0.1f, $"{turn} {arm.localRotation}");
+    }
+
+    [Fact]
     public void Hidden_figures_come_back()
     {
         MocapSource source = Stage.AddSimulator();

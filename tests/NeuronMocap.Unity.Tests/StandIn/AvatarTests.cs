@@ -101,6 +101,7 @@ public sealed class AvatarTests : IDisposable
         Assert.Equal("UpperChest", HumanTrait.BoneName[54]);
         Assert.Equal((int)HumanBodyBones.LeftHand, HumanTrait.GetParentBone((int)HumanBodyBones.LeftRingProximal));
         Assert.Equal((int)HumanBodyBones.RightLowerLeg, HumanTrait.GetParentBone((int)HumanBodyBones.RightFoot));
+        Assert.Equal((int)HumanBodyBones.LeftFoot, HumanTrait.GetParentBone((int)HumanBodyBones.LeftToes));
         Assert.Equal(-1, HumanTrait.GetParentBone(0));
     }
 

@@ -4,4 +4,5 @@ using System.Runtime.CompilerServices;
 [assembly: InternalsVisibleTo("UnityEditor")]
 [assembly: InternalsVisibleTo("UnityEngine.TestRunner")]
 [assembly: InternalsVisibleTo("NeuronMocap.Unity.Tests")]
+[assembly: InternalsVisibleTo("NeuronMocap.Benchmarks")]
 [assembly: InternalsVisibleTo("program")]

@@ -41,11 +41,19 @@ namespace NeuronMocap.Unity.EditorTools
             ReportGui.Message(_report.Severity, _report.Message);
 
             // In play mode the figure has the performer's pose, and its rest pose is already captured.
-            if (!Application.isPlaying)
-                DrawRig(Problems);
+            if (Application.isPlaying)
+                return;
+
+            DrawRig(Problems);
+            DrawRestPose();
         }
 
         protected abstract IReadOnlyList<RigProblem> Examine();
+
+        // What is below the check, outside play mode.
+        protected virtual void DrawRestPose()
+        {
+        }
 
         private void OnEnable()
         {

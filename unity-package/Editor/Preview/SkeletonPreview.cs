@@ -1,13 +1,15 @@
 #nullable enable
 
+using System;
 using System.Collections.Generic;
+using NeuronMocap.Retargeting;
 using NeuronMocap.Skeleton;
 using UnityEditor;
 using UnityEngine;
 
 namespace NeuronMocap.Unity.EditorTools
 {
-    // Draws a performer's bones in a rectangle of a window. Dragging turns the view, the wheel zooms.
+    // Draws the bones of a performer, or of a rig at rest, in a rectangle of a window. Dragging turns the view, the wheel zooms.
     internal sealed class SkeletonPreview
     {
         private const float BoneWidth = 3f;
@@ -21,30 +23,11 @@ namespace NeuronMocap.Unity.EditorTools
 
         public PreviewView View { get; } = new PreviewView();
 
-        public void Draw(Rect rect, Performer? performer)
-        {
-            Event current = Event.current;
-            if (rect.Contains(current.mousePosition))
-                Respond(current);
-            if (current.type != EventType.Repaint)
-                return;
+        public void Draw(Rect rect, Performer? performer) =>
+            Draw(rect, performer is { HasPose: true } ? performer.GetPosition(Bone.Hips) : (Vector3?)null, inside => LinesOf(performer!, inside));
 
-            EditorGUI.DrawRect(rect, Background);
-            if (performer is null || !performer.HasPose)
-                return;
-
-            View.Center = CenterOf(performer.GetPosition(Bone.Hips));
-            GUI.BeginClip(rect);
-            var inside = new Rect(0f, 0f, rect.width, rect.height);
-            DrawGrid(inside);
-            foreach ((Vector2 from, Vector2 to, Bone bone) in LinesOf(performer, inside))
-            {
-                Handles.color = ColorOf(bone);
-                Handles.DrawAAPolyLine(BoneWidth, from, to);
-            }
-
-            GUI.EndClip();
-        }
+        // Draws a rig at rest, as large as a person.
+        public void Draw(Rect rect, TargetRig? rig) => Draw(rect, rig is null ? (Vector3?)null : Vector3.zero, inside => RestLines.Of(rig!, View, inside));
 
         // A line from each joint's parent to the joint, and a line to the end of each bone without children.
         internal IEnumerable<(Vector2 From, Vector2 To, Bone Bone)> LinesOf(Performer performer, Rect rect)
@@ -60,13 +43,38 @@ namespace NeuronMocap.Unity.EditorTools
                 yield return (View.Project(performer.GetPosition(bone), rect), View.Project(performer.GetEndPosition(bone), rect), bone);
         }
 
+        private void Draw(Rect rect, Vector3? hips, Func<Rect, IEnumerable<(Vector2 From, Vector2 To, Bone Bone)>> linesOf)
+        {
+            Event current = Event.current;
+            if (rect.Contains(current.mousePosition))
+                Respond(current);
+            if (current.type != EventType.Repaint)
+                return;
+
+            EditorGUI.DrawRect(rect, Background);
+            if (hips is null)
+                return;
+
+            View.Center = CenterOf(hips.Value);
+            GUI.BeginClip(rect);
+            var inside = new Rect(0f, 0f, rect.width, rect.height);
+            DrawGrid(inside);
+            foreach ((Vector2 from, Vector2 to, Bone bone) in linesOf(inside))
+            {
+                Handles.color = ColorOf(bone);
+                Handles.DrawAAPolyLine(BoneWidth, from, to);
+            }
+
+            GUI.EndClip();
+        }
+
         private static Vector3 CenterOf(Vector3 hips) => new Vector3(hips.x, 0.95f, hips.z);
 
         private static Color ColorOf(Bone bone)
         {
             string name = BoneHierarchy.GetName(bone);
-            return name.StartsWith("Left", System.StringComparison.Ordinal) ? Left
-                : name.StartsWith("Right", System.StringComparison.Ordinal) ? Right
+            return name.StartsWith("Left", StringComparison.Ordinal) ? Left
+                : name.StartsWith("Right", StringComparison.Ordinal) ? Right
                 : Middle;
         }
 

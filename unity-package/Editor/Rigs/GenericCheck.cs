@@ -12,22 +12,30 @@ namespace NeuronMocap.Unity.EditorTools
     // Checks a rig without an avatar as its driver will use it: the transforms that it finds, and their rest pose.
     internal static class GenericCheck
     {
-        public static IReadOnlyList<RigProblem> Examine(GenericRigDriver driver)
+        public const string UseTPose = "Use the T-Pose";
+
+        public static IReadOnlyList<RigProblem> Examine(GenericRigDriver driver) => Examine(driver, out _);
+
+        // rest: the rig in its rest pose, or null if it cannot be driven.
+        public static IReadOnlyList<RigProblem> Examine(GenericRigDriver driver, out TargetRig? rest)
         {
-            Transform root = driver.Root != null ? driver.Root : driver.transform;
+            rest = null;
+            Transform root = driver.RigRoot;
             Transform?[] bones = driver.FindBones(root);
             if (bones[0] == null)
                 return new[] { WithoutHips(driver, root) };
 
             var problems = new List<RigProblem>();
             AddMissing(bones, problems);
-            RestPose rest = RestPose.OfSkins(root);
-            RigCapture capture = RigCapture.Take(root, bones, rest);
             try
             {
-                TargetRig rig = TargetRig.CreateGeneric(capture.Nodes, Array.ConvertAll(bones, capture.IndexOf));
-                Action? fix = rest.Note is RestPose.FromPresent ? () => RigFixes.Pose(capture.Transforms, TPose.Enforce(rig)) : (Action?)null;
-                problems.AddRange(RigIssues.ToProblems(RigValidator.Validate(rig), fix));
+                TargetRig rig = driver.CaptureRest(root, bones, out RigCapture capture, out string note);
+                rest = rig;
+
+                // A pose in the scene is corrected there. A bind pose belongs to the model, so the driver corrects it.
+                problems.AddRange(driver.RestPoseChoice == RestPoseChoice.AsItStands || note is RestPose.FromPresent
+                    ? RigIssues.ToProblems(RigValidator.Validate(rig), () => RigFixes.Pose(capture.Transforms, TPose.Enforce(rig)))
+                    : RigIssues.ToProblems(RigValidator.Validate(rig), () => RigFixes.SetChoice(driver, "_restPoseChoice", (int)RestPoseChoice.TPose), UseTPose));
             }
             catch (ArgumentException exception)
             {
@@ -40,8 +48,7 @@ namespace NeuronMocap.Unity.EditorTools
         private static RigProblem WithoutHips(GenericRigDriver driver, Transform root)
         {
             string text = $"No transform below {root.name} is called {driver.Prefix}Hips.";
-            string[] names = root.GetComponentsInChildren<Transform>(true).Skip(1).Select(child => child.name).ToArray();
-            RigBinding guess = RigBinder.Bind(names);
+            RigBinding guess = GenericRigDriver.BindNames(root, prefix: null, out _);
             return driver.Prefix.Length > 0 && guess.GetNode(Bone.Hips) >= 0
                 ? new RigProblem(
                     Severity.Error,

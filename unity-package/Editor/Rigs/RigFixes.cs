@@ -25,6 +25,13 @@ namespace NeuronMocap.Unity.EditorTools
             serialized.ApplyModifiedProperties();
         }
 
+        public static void SetChoice(Object target, string field, int index)
+        {
+            var serialized = new SerializedObject(target);
+            serialized.FindProperty(field).enumValueIndex = index;
+            serialized.ApplyModifiedProperties();
+        }
+
         public static void Change(Object target, string name, Action change)
         {
             Undo.RecordObject(target, name);

@@ -42,6 +42,9 @@ namespace NeuronMocap.Unity
 
         private protected abstract void CopyBoneWeights(BoneWeights weights);
 
+        // Takes the pose that another part of the package gave the figure for the driver's own, not for that of an Animator.
+        internal void AdoptPose() => _rig?.Writer.Adopt();
+
         private protected void Awake() => TryBind();
 
         private protected void OnEnable()
@@ -161,6 +164,7 @@ namespace NeuronMocap.Unity
             options.RootMotion = _rootMotion;
             options.HeightOffset = float.IsFinite(_heightOffset) ? _heightOffset : 0;
             options.Scale = _automaticScale || !(_scale >= 0 && float.IsFinite(_scale)) ? (float?)null : _scale;
+            options.Displacement = _displacement;
             options.Weights.Reset();
             _partWeights.CopyTo(options.Weights);
             CopyBoneWeights(options.Weights);

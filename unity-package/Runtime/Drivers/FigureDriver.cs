@@ -52,6 +52,10 @@ namespace NeuronMocap.Unity
         [SerializeField]
         private float _heightOffset;
 
+        [Tooltip("Place every bone where the performer's bone is, at the figure's size. The figure takes over the performer's proportions. For streams with displacement.")]
+        [SerializeField]
+        private bool _displacement;
+
         [Header("Feet")]
         [Tooltip("Hold feet where they touch the ground, and keep them above it. No effect with root motion In Place.")]
         [SerializeField]
@@ -160,6 +164,17 @@ namespace NeuronMocap.Unity
         }
 
         /// <summary>
+        /// Gets or sets whether every driven bone takes over the position of the performer's bone, relative to the hips and scaled by leg length. The
+        /// figure takes over the performer's proportions. Use it with streams that have displacement; other streams have only the performer's known or
+        /// default sizes. The default is false: the figure keeps its own bone lengths.
+        /// </summary>
+        public bool Displacement
+        {
+            get => _displacement;
+            set => _displacement = value;
+        }
+
+        /// <summary>
         /// Gets or sets whether feet are held where they touch the ground. It has no effect with <see cref="RootMotion.InPlace"/>. The default is
         /// false.
         /// </summary>
@@ -191,7 +206,7 @@ namespace NeuronMocap.Unity
         }
 
         /// <summary>
-        /// Gets or sets how much of the motion the figure follows, 0 to 1. The remainder is its rest pose, or the pose of an Animator. The default is
+        /// Gets or sets how much of the motion the figure follows, 0 to 1. The remainder is the last pose of an Animator, or the rest pose. The default is
         /// 1.
         /// </summary>
         public float Weight

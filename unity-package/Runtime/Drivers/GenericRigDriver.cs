@@ -9,13 +9,16 @@ using UnityEngine;
 namespace NeuronMocap.Unity
 {
     /// <summary>
-    /// Moves transforms without a Humanoid avatar. It finds them by the stream's bone names with a prefix such as "Robot_", or in an explicit list.
-    /// They must be in the T-pose when the component wakes up, unless a skin provides a bind pose.
+    /// Moves transforms without a Humanoid avatar. It finds them by the bone names of the stream or of well-known programs, with a prefix such as
+    /// "Robot_", or in an explicit list. The rig's rest pose, which <see cref="RestPoseChoice"/> selects, must be a T-pose.
     /// </summary>
     [AddComponentMenu("NeuronMocap/Generic Rig Driver")]
     [HelpURL(HelpPage.Components + "#generic-rig-driver")]
     public sealed class GenericRigDriver : FigureDriver
     {
+        private const string NotTPose =
+            "At rest, the rig is not in a T-pose, so its limbs are off by the difference. Set Rest Pose Choice to T Pose.";
+
         [Header("Rig")]
         [Tooltip("The root transform of the rig. Empty: this object.")]
         [SerializeField]
@@ -29,12 +32,19 @@ namespace NeuronMocap.Unity
         [SerializeField]
         private List<BoneBinding> _bindings = new List<BoneBinding>();
 
+        [Tooltip("The pose that corresponds to the performer's T-pose. T Pose: the bind pose, straightened. Use it for rigs bound in an A-pose.")]
+        [SerializeField]
+        private RestPoseChoice _restPoseChoice;
+
         [Tooltip("Weights of single bones, multiplied by those of their body parts.")]
         [SerializeField]
         private List<StreamBoneWeight> _boneWeights = new List<StreamBoneWeight>();
 
         [NonSerialized]
         private Transform? _bound;
+
+        [NonSerialized]
+        private RestPoseChoice _boundChoice;
 
         /// <summary>Gets or sets the root transform of the rig. Null: this object.</summary>
         public Transform? Root
@@ -59,18 +69,30 @@ namespace NeuronMocap.Unity
         /// </summary>
         public IList<BoneBinding> Bindings => _bindings;
 
+        /// <summary>
+        /// Gets or sets which pose of the rig corresponds to the performer's T-pose. The default is the bind pose. A change at run time takes effect
+        /// in the next frame.
+        /// </summary>
+        public RestPoseChoice RestPoseChoice
+        {
+            get => _restPoseChoice;
+            set => _restPoseChoice = value;
+        }
+
         /// <summary>Gets weights of single bones, multiplied by those of their body parts. Bones that are not listed have weight 1.</summary>
         public IList<StreamBoneWeight> BoneWeights => _boneWeights;
 
         /// <summary>Gets the bones without a transform, as of the last binding.</summary>
         public IReadOnlyList<Bone> MissingBones { get; private set; } = Array.Empty<Bone>();
 
-        private protected override bool IsBound => _bound != null && _bound == (_root != null ? _root : transform);
+        internal Transform RigRoot => _root != null ? _root : transform;
+
+        private protected override bool IsBound => _bound != null && _bound == RigRoot && _boundChoice == _restPoseChoice;
 
         private protected override FigureRig? CreateRig(out string problem)
         {
-            Transform root = _root != null ? _root : transform;
-            _bound = root;
+            Transform root = RigRoot;
+            (_bound, _boundChoice) = (root, _restPoseChoice);
             Transform?[] bones = FindBones(root);
             if (bones[0] == null)
             {
@@ -78,18 +100,29 @@ namespace NeuronMocap.Unity
                 return null;
             }
 
-            RestPose rest = RestPose.OfSkins(root);
-            RigCapture capture = RigCapture.Take(root, bones, rest);
             try
             {
                 problem = string.Empty;
-                return new FigureRig(TargetRig.CreateGeneric(capture.Nodes, Array.ConvertAll(bones, capture.IndexOf)), capture.Transforms, rest.Note);
+                TargetRig target = CaptureRest(root, bones, out RigCapture capture, out string note);
+                return new FigureRig(target, capture.Transforms, note);
             }
             catch (ArgumentException exception)
             {
                 problem = $"The rig cannot be driven: {exception.Message}";
                 return null;
             }
+        }
+
+        // The rig in the chosen rest pose. note: what is wrong with this pose, or empty. Throws an ArgumentException if the rig cannot be driven.
+        internal TargetRig CaptureRest(Transform root, Transform?[] bones, out RigCapture capture, out string note)
+        {
+            RestPose rest = _restPoseChoice == RestPoseChoice.AsItStands ? RestPose.OfPresent(root) : RestPose.OfSkins(root);
+            capture = RigCapture.Take(root, bones, rest);
+            TargetRig given = TargetRig.CreateGeneric(capture.Nodes, Array.ConvertAll(bones, capture.IndexOf));
+            TargetRig straight = TPose.Enforce(given);
+            bool isStraight = _restPoseChoice == RestPoseChoice.TPose;
+            note = isStraight ? string.Empty : rest.Note.Length > 0 ? rest.Note : straight != given ? NotTPose : string.Empty;
+            return isStraight ? straight : given;
         }
 
         private protected override void CopyBoneWeights(BoneWeights weights)
@@ -104,12 +137,7 @@ namespace NeuronMocap.Unity
 
         internal Transform?[] FindBones(Transform root)
         {
-            Transform[] all = root.GetComponentsInChildren<Transform>(true);
-            string[] names = Array.ConvertAll(all, node => node.name);
-
-            // The root itself is not a bone, whatever its name.
-            names[0] = string.Empty;
-            RigBinding binding = RigBinder.Bind(names, _prefix.Length > 0 ? _prefix : null);
+            RigBinding binding = BindNames(root, _prefix.Length > 0 ? _prefix : null, out Transform[] all);
             var bones = new Transform?[BoneHierarchy.BoneCount];
             for (int bone = 0; bone < bones.Length; bone++)
                 bones[bone] = binding.Nodes[bone] is var node && node > 0 ? all[node] : null;
@@ -129,6 +157,25 @@ namespace NeuronMocap.Unity
 
             MissingBones = missing;
             return bones;
+        }
+
+        // all: the transforms in the order of the binding's nodes.
+        internal static RigBinding BindNames(Transform root, string? prefix, out Transform[] all)
+        {
+            all = root.GetComponentsInChildren<Transform>(true);
+            string[] names = Array.ConvertAll(all, node => node.name);
+
+            // The root itself is not a bone, whatever its name.
+            names[0] = string.Empty;
+            var indices = new Dictionary<Transform, int>();
+            var parents = new int[all.Length];
+            for (int node = 0; node < all.Length; node++)
+            {
+                parents[node] = node == 0 ? -1 : indices[all[node].parent!];
+                indices.Add(all[node], node);
+            }
+
+            return RigBinder.Bind(names, prefix, parents: parents);
         }
 
         // A transform belongs to one bone only: the bone that it is listed for.

@@ -8,35 +8,44 @@ using Vector3 = UnityEngine.Vector3;
 
 namespace NeuronMocap.Unity
 {
-    // Writes poses to transforms. With a weight below 1, it mixes them with the pose that another component, usually an Animator, wrote in the
-    // meantime. If there is no such pose, it mixes them with the rest pose. Main thread.
+    // Writes poses to transforms. With a weight below 1, it mixes them with the pose of other components, usually an Animator. An Animator may write in
+    // some frames only: in fixed updates, or while the figure is visible. Its last pose counts until it writes again. If no other component has
+    // written, the rest pose counts. Main thread.
     internal sealed class PoseWriter
     {
         private readonly Transform[] _nodes;
-        private readonly int _hips;
-        private readonly Quaternion[] _rest;
-        private readonly Quaternion[] _written;
-        private readonly bool[] _isWritten;
         private readonly bool[] _isBetween;
-        private readonly Vector3 _hipsRest;
-        private Vector3 _hipsWritten;
+        private readonly bool[] _isTurned;
+        private readonly Quaternion[] _restRotations;
+        private readonly Quaternion[] _othersRotations;
+        private readonly Quaternion[] _writtenRotations;
+        private readonly bool[] _isMoved;
+        private readonly Vector3[] _restPositions;
+        private readonly Vector3[] _othersPositions;
+        private readonly Vector3[] _writtenPositions;
         private bool _hasBegun;
 
         public PoseWriter(Transform[] nodes, TargetRig rig)
         {
             _nodes = nodes;
-            _hips = rig.HipsNode;
-            _rest = new Quaternion[nodes.Length];
-            _isWritten = new bool[nodes.Length];
+            _isTurned = new bool[nodes.Length];
+            _isMoved = new bool[nodes.Length];
             _isBetween = new bool[nodes.Length];
+            _restRotations = new Quaternion[nodes.Length];
+            _restPositions = new Vector3[nodes.Length];
             for (int node = 0; node < nodes.Length; node++)
             {
-                _rest[node] = rig.Nodes[node].Rotation.ToUnity();
                 _isBetween[node] = rig.GetHumanoidBone(node) is null && rig.GetBone(node) is null;
+                _restRotations[node] = rig.Nodes[node].Rotation.ToUnity();
+                _restPositions[node] = rig.Nodes[node].Position.ToUnity();
             }
 
-            _written = (Quaternion[])_rest.Clone();
-            _hipsWritten = _hipsRest = rig.Nodes[_hips].Position.ToUnity();
+            _othersRotations = (Quaternion[])_restRotations.Clone();
+            _othersPositions = (Vector3[])_restPositions.Clone();
+
+            // The pose that the figure has in the scene counts as nobody's.
+            _writtenRotations = Array.ConvertAll(nodes, node => node.localRotation);
+            _writtenPositions = Array.ConvertAll(nodes, node => node.localPosition);
         }
 
         public void Write(RetargetedPose pose, float weight)
@@ -45,16 +54,23 @@ namespace NeuronMocap.Unity
                 Begin();
 
             Span<System.Numerics.Quaternion> rotations = pose.LocalRotations;
+            Span<System.Numerics.Vector3> positions = pose.LocalPositions;
             for (int node = 0; node < _nodes.Length; node++)
             {
-                if (!pose.IsDriven(node))
-                    Release(node);
-                else if (_nodes[node] != null)
-                    Turn(node, rotations[node].ToUnity(), weight);
-            }
+                Transform transform = _nodes[node];
+                if (transform == null)
+                    continue;
 
-            if (pose.IsDriven(_hips) && _nodes[_hips] != null)
-                Move(pose.HipsLocalPosition.ToUnity(), weight);
+                if (pose.IsDriven(node))
+                    Turn(node, transform, rotations[node].ToUnity(), weight);
+                else
+                    ReleaseRotation(node, transform, _othersRotations);
+
+                if (pose.IsMoved(node))
+                    Move(node, transform, positions[node].ToUnity(), weight);
+                else
+                    ReleasePosition(node, transform, _othersPositions);
+            }
         }
 
         // Before the next pose, intermediate transforms return to rest once more.
@@ -64,7 +80,28 @@ namespace NeuronMocap.Unity
         public void Restore()
         {
             for (int node = 0; node < _nodes.Length; node++)
-                Release(node);
+            {
+                if (_nodes[node] == null)
+                    continue;
+
+                ReleaseRotation(node, _nodes[node], _restRotations);
+                ReleasePosition(node, _nodes[node], _restPositions);
+            }
+        }
+
+        // Takes the driven transforms as they stand for written by this object, after another part of the package has changed them.
+        public void Adopt()
+        {
+            for (int node = 0; node < _nodes.Length; node++)
+            {
+                if (_nodes[node] == null)
+                    continue;
+
+                if (_isTurned[node])
+                    _writtenRotations[node] = _nodes[node].localRotation;
+                if (_isMoved[node])
+                    _writtenPositions[node] = _nodes[node].localPosition;
+            }
         }
 
         // Poses assume that intermediate transforms, such as twist bones, are at rest, whatever their pose in the scene was. After that, other
@@ -75,54 +112,59 @@ namespace NeuronMocap.Unity
             for (int node = 0; node < _nodes.Length; node++)
             {
                 if (_isBetween[node] && _nodes[node] != null)
-                    _nodes[node].localRotation = _rest[node];
+                    _nodes[node].localRotation = _restRotations[node];
             }
         }
 
-        // A bone that is no longer driven belongs to other components. It returns to rest unless another component has moved it.
-        private void Release(int node)
+        // A bone that is no longer driven belongs to other components. It returns to the given pose unless another component has moved it.
+        private void ReleaseRotation(int node, Transform transform, Quaternion[] pose)
         {
-            if (!_isWritten[node])
+            if (!_isTurned[node])
                 return;
 
-            _isWritten[node] = false;
-            Transform transform = _nodes[node];
-            if (transform == null)
+            _isTurned[node] = false;
+            if (!transform.localRotation.Equals(_writtenRotations[node]))
                 return;
 
-            if (transform.localRotation.Equals(_written[node]))
-                transform.localRotation = _rest[node];
-            if (node == _hips && transform.localPosition.Equals(_hipsWritten))
-                transform.localPosition = _hipsRest;
-            _written[node] = _rest[node];
+            transform.localRotation = pose[node];
+            _writtenRotations[node] = transform.localRotation;
         }
 
-        private void Turn(int node, Quaternion rotation, float weight)
+        private void ReleasePosition(int node, Transform transform, Vector3[] pose)
         {
-            Transform transform = _nodes[node];
-            if (weight < 1)
-            {
-                Quaternion present = transform.localRotation;
-                rotation = Quaternion.Slerp(present.Equals(_written[node]) ? _rest[node] : present, rotation, weight);
-            }
+            if (!_isMoved[node])
+                return;
 
-            // Reads the value back, because Unity normalises it. Equals compares exactly; == ignores differences of less than a quarter of a degree.
-            transform.localRotation = rotation;
-            _written[node] = transform.localRotation;
-            _isWritten[node] = true;
+            _isMoved[node] = false;
+            if (!transform.localPosition.Equals(_writtenPositions[node]))
+                return;
+
+            transform.localPosition = pose[node];
+            _writtenPositions[node] = transform.localPosition;
         }
 
-        private void Move(Vector3 position, float weight)
+        private void Turn(int node, Transform transform, Quaternion rotation, float weight)
         {
-            Transform hips = _nodes[_hips];
-            if (weight < 1)
-            {
-                Vector3 present = hips.localPosition;
-                position = Vector3.Lerp(present.Equals(_hipsWritten) ? _hipsRest : present, position, weight);
-            }
+            // Equals compares exactly; == ignores differences of less than a quarter of a degree.
+            Quaternion present = transform.localRotation;
+            if (!present.Equals(_writtenRotations[node]))
+                _othersRotations[node] = present;
 
-            hips.localPosition = position;
-            _hipsWritten = hips.localPosition;
+            // Reads the value back, because Unity normalises it.
+            transform.localRotation = weight < 1 ? Quaternion.Slerp(_othersRotations[node], rotation, weight) : rotation;
+            _writtenRotations[node] = transform.localRotation;
+            _isTurned[node] = true;
+        }
+
+        private void Move(int node, Transform transform, Vector3 position, float weight)
+        {
+            Vector3 present = transform.localPosition;
+            if (!present.Equals(_writtenPositions[node]))
+                _othersPositions[node] = present;
+
+            transform.localPosition = weight < 1 ? Vector3.Lerp(_othersPositions[node], position, weight) : position;
+            _writtenPositions[node] = transform.localPosition;
+            _isMoved[node] = true;
         }
     }
 }

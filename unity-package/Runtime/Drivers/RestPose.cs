@@ -48,6 +48,9 @@ namespace NeuronMocap.Unity
             return rest;
         }
 
+        // The current pose, whatever the skin says.
+        public static RestPose OfPresent(Transform root) => new RestPose(root);
+
         public void Get(Transform transform, out Vector3 position, out Quaternion rotation, out Vector3 scale)
         {
             if (_skeleton.TryGetValue(transform.name, out SkeletonBone bone))

@@ -74,12 +74,12 @@ namespace NeuronMocap.Unity
             _isIdle = false;
         }
 
-        // Runs in each frame, after the animator and the driver. step: the fraction of the blend to add.
-        public void Apply(float step)
+        // Runs in each frame, after the animator and the driver. step: the fraction of the blend to add. Returns whether it moved the character.
+        public bool Apply(float step)
         {
             _progress = Mathf.Min(1, _progress + step);
             if (_progress >= 1 && !_isIdle)
-                return;
+                return false;
 
             float part = Mathf.SmoothStep(0, 1, _progress);
             Vector3 hips = Vector3.Lerp(_fromHips, _isIdle ? _idleHips : HipsPosition, part);
@@ -87,6 +87,7 @@ namespace NeuronMocap.Unity
                 _bones[i].localRotation = Quaternion.Slerp(_from[i], _isIdle ? _idle[i] : _bones[i].localRotation, part);
 
             Hips.position = _root.TransformPoint(hips);
+            return true;
         }
 
         private void TakeSnapshot()

@@ -62,7 +62,11 @@ namespace NeuronMocap.Unity
             return true;
         }
 
-        internal void Apply(float step) => _blend?.Apply(step);
+        internal void Apply(float step)
+        {
+            if (_blend is { } blend && blend.Apply(step))
+                Driver.AdoptPose();
+        }
 
         private void Leave(IdlePose pose, float blendSeconds)
         {

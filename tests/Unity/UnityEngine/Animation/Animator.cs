@@ -60,7 +60,10 @@ public class Animator : Behaviour
 
     public float rightFeetBottomHeight => 0.08f;
 
-    /// <summary>The work of a controller between Update and LateUpdate: it writes everything that it animates.</summary>
+    /// <summary>
+    /// The work of a controller: it writes everything that it animates. It runs between Update and LateUpdate, or after each FixedUpdate
+    /// (AnimatePhysics), and not while all renderers below are out of sight, if the Animator is culled.
+    /// </summary>
     internal Action? Animating
     {
         get;
@@ -73,6 +76,9 @@ public class Animator : Behaviour
                 _animated.Add(this);
         }
     }
+
+    private bool IsCulled => cullingMode != AnimatorCullingMode.AlwaysAnimate
+        && GetComponentsInChildren<Renderer>() is { Length: > 0 } renderers && !renderers.Any(static renderer => renderer.isVisible);
 
     private HumanBones? Bones => _bones ??= _avatar is { isHuman: true, isValid: true } ? new HumanBones(_avatar, transform) : null;
 
@@ -107,12 +113,12 @@ public class Animator : Behaviour
 
     public void Update(float deltaTime) => Animating?.Invoke();
 
-    internal static void RunAll()
+    internal static void RunAll(bool inPhysics)
     {
         _animated.RemoveAll(static animator => animator.IsDestroyed);
         foreach (Animator animator in _animated)
         {
-            if (animator.IsRunning)
+            if (animator.IsRunning && (animator.updateMode == AnimatorUpdateMode.AnimatePhysics) == inPhysics && !animator.IsCulled)
                 animator.Animating!();
         }
     }

@@ -42,6 +42,7 @@ public static class HumanTrait
             HumanBodyBones.Neck or HumanBodyBones.LeftShoulder or HumanBodyBones.RightShoulder => HumanBodyBones.UpperChest,
             HumanBodyBones.Head => HumanBodyBones.Neck,
             HumanBodyBones.LeftEye or HumanBodyBones.RightEye or HumanBodyBones.Jaw => HumanBodyBones.Head,
+            HumanBodyBones.LeftToes or HumanBodyBones.RightToes => Side(HumanBodyBones.LeftFoot, HumanBodyBones.RightFoot),
             _ when name.EndsWith("Proximal", StringComparison.Ordinal) => Side(HumanBodyBones.LeftHand, HumanBodyBones.RightHand),
             >= HumanBodyBones.LeftThumbProximal => bone - 1,
             _ => bone - 2,

@@ -167,13 +167,14 @@ internal sealed class PlayerLoop : IDisposable
         for (_physics += seconds * Time.timeScale; World.IsPlaying && _physics >= Time.fixedDeltaTime; _physics -= Time.fixedDeltaTime)
         {
             ScriptList.ForEach(_fixedUpdate);
+            Animator.RunAll(inPhysics: true);
             ScriptList.RunCoroutines(FrameMoment.AfterFixedUpdate);
         }
 
         _context.Run();
         ScriptList.ForEach(_update);
         ScriptList.RunCoroutines(FrameMoment.AfterUpdate);
-        Animator.RunAll();
+        Animator.RunAll(inPhysics: false);
         ScriptList.ForEach(_lateUpdate);
         if (DrawsGizmos)
             GizmoDrawing.Draw(Selected);

@@ -54,7 +54,10 @@ public class Renderer : Component
 
     public Bounds bounds { get; set; }
 
-    public bool isVisible => true;
+    public bool isVisible => enabled && gameObject.activeInHierarchy && IsInView;
+
+    /// <summary>Whether a camera sees the renderer, which a test decides.</summary>
+    internal bool IsInView { get; set; } = true;
 }
 
 public class MeshRenderer : Renderer

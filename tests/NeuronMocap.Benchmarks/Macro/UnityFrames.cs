@@ -1,0 +1,88 @@
+using System.Diagnostics;
+using NeuronMocap.Benchmarks.Harness;
+using NeuronMocap.Retargeting;
+using NeuronMocap.Unity;
+using UnityEngine;
+using UnityEngine.StandIn;
+
+namespace NeuronMocap.Benchmarks.Macro;
+
+// The cost of a rendered frame of the Unity package in the tests' stand-in of the engine: one source with 20 performers, and a Humanoid of 72 transforms
+// for each. Unity's own transforms take another time.
+internal static class UnityFrames
+{
+    private const int Performers = 20;
+    private const int Frames = 2_000;
+
+    public static async Task<int> RunAsync(int runs, Report report)
+    {
+        report.Begin($"Nanoseconds a rendered frame with {Performers} performers, against a frame without figures; {Frames} frames a run, {runs} runs.");
+        using var loop = new PlayerLoop();
+        MocapSource source = new GameObject("Source").AddComponent<MocapSource>();
+        (source.Kind, source.PerformerCount) = (SourceKind.Simulator, Performers);
+        HumanoidDriver[] drivers = [.. Enumerable.Range(0, Performers).Select(performer => AddFigure(source, performer))];
+        loop.RunUntil(() => Array.TrueForAll(drivers, static driver => driver.IsDriving));
+
+        Way[] ways =
+        [
+            new("figures", () => Measure(loop, drivers, static driver => { })),
+            new("figures, plant feet", () => Measure(loop, drivers, static driver => driver.FootPlanting = true)),
+            new("figures, displacement", () => Measure(loop, drivers, static driver => driver.Displacement = true)),
+            new("figures, all options", () => Measure(loop, drivers, static driver => (driver.FootPlanting, driver.Displacement, driver.Weight) = (true, true, 0.5f))),
+        ];
+        var empty = new Way("no figures", () => Measure(loop, drivers, static driver => driver.enabled = false));
+        report.Add(await Alternation.RunAsync("one frame", runs, empty, ways, [new("B/frame", 0)]));
+        return report.End();
+    }
+
+    private static Figures Measure(PlayerLoop loop, HumanoidDriver[] drivers, Action<HumanoidDriver> set)
+    {
+        foreach (HumanoidDriver driver in drivers)
+        {
+            (driver.enabled, driver.FootPlanting, driver.Displacement, driver.Weight) = (true, false, false, 1);
+            set(driver);
+        }
+
+        loop.Frames(100);
+        long allocated = GC.GetAllocatedBytesForCurrentThread();
+        long start = Stopwatch.GetTimestamp();
+        loop.Frames(Frames);
+        double nanoseconds = Stopwatch.GetElapsedTime(start).TotalNanoseconds / Frames;
+        allocated = GC.GetAllocatedBytesForCurrentThread() - allocated;
+        return new Figures { ["ns/frame"] = nanoseconds, ["B/frame"] = allocated / (double)Frames };
+    }
+
+    private static HumanoidDriver AddFigure(MocapSource source, int performer)
+    {
+        TargetRig rig = RetargetCost.CreateRig(1, isTurned: false);
+        var root = new GameObject($"Figure {performer}");
+        var nodes = new Transform[rig.Nodes.Length];
+        List<HumanBone> human = [];
+        for (int i = 0; i < nodes.Length; i++)
+        {
+            RigNode node = rig.Nodes[i];
+            nodes[i] = new GameObject($"{node.Name} {i}").transform;
+            nodes[i].SetParent(node.Parent < 0 ? root.transform : nodes[node.Parent], worldPositionStays: false);
+            (nodes[i].localPosition, nodes[i].localRotation) = (node.Position.ToUnity(), node.Rotation.ToUnity());
+            if (rig.GetHumanoidBone(i) is { } bone)
+                human.Add(new HumanBone { humanName = HumanoidBones.GetName(bone), boneName = nodes[i].name, limit = new HumanLimit { useDefaultValues = true } });
+        }
+
+        root.AddComponent<Animator>().avatar = AvatarBuilder.BuildHumanAvatar(root, Describe(human, [root.transform, .. nodes]));
+        HumanoidDriver driver = root.AddComponent<HumanoidDriver>();
+        (driver.Source, driver.PerformerIndex) = (source, performer);
+        return driver;
+    }
+
+    private static HumanDescription Describe(List<HumanBone> human, Transform[] transforms) => new()
+    {
+        human = [.. human],
+        skeleton = [.. transforms.Select(static item => new SkeletonBone { name = item.name, position = item.localPosition, rotation = item.localRotation, scale = item.localScale })],
+        upperArmTwist = 0.5f,
+        lowerArmTwist = 0.5f,
+        upperLegTwist = 0.5f,
+        lowerLegTwist = 0.5f,
+        armStretch = 0.05f,
+        legStretch = 0.05f,
+    };
+}
