@@ -26,6 +26,8 @@ namespace NeuronMocap.Unity
 
         public TargetRig Target { get; }
 
+        public float Scale => _retargeter.Scale;
+
         public string Note { get; }
 
         public RetargetedPose Pose { get; }
