@@ -159,6 +159,9 @@ public sealed class SourceStageTests : SourceFixture
         (second.Stage.Offset, second.Stage.Heading, second.Stage.Scale) = (new Vector3(-2, 0, 0), 45, 2);
         second.Recenter();
         HumanoidDriver[] drivers = [TestFigure.Build("A", size: 0.5f).Drive(first), TestFigure.Build("B").Drive(second), TestFigure.Build("C").Drive(second)];
+        drivers[1].RootMotionTarget = RootMotionTarget.RootTransform;
+        drivers[2].RootMotionTarget = RootMotionTarget.CharacterController;
+        drivers[2].gameObject.AddComponent<CharacterController>();
         Loop.RunUntil(() => drivers.All(static driver => driver.IsDriving));
 
         FrameAllocations.AssertNone(Loop);

@@ -57,6 +57,7 @@ namespace NeuronMocap.Unity
             ActiveSource = null;
             _retargeted = null;
             _hasPose = false;
+            _way = default;
             _rig?.Writer.End();
         }
 
@@ -112,6 +113,7 @@ namespace NeuronMocap.Unity
             _rigProblem = _rig is null ? problem : null;
             _retargeted = null;
             _hasPose = false;
+            _way = default;
             return _rig != null;
         }
 
@@ -169,6 +171,7 @@ namespace NeuronMocap.Unity
 
             _hasPose = true;
             PlantFeet(performer, rig);
+            MoveRoot(performer, rig);
         }
 
         // With in-place root motion, feet slide by design.
