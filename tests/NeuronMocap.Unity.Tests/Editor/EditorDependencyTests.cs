@@ -6,12 +6,13 @@ namespace NeuronMocap.Unity.Tests.Editor;
 /// <summary>Rules for the use of folders in the editor part of the package.</summary>
 public sealed class EditorDependencyTests
 {
-    // Windows and inspectors show reports. Rigs and the diagnosis create them. The root has the shared drawing code.
+    // Windows and inspectors show reports. Rigs, the diagnosis and the migration create them. The root has the shared drawing code.
     private static readonly DependencyRules Editor = new("/unity-package/Editor/", new Dictionary<string, string[]>(StringComparer.Ordinal)
     {
         ["Build"] = [""],
         ["Diagnosis"] = ["", "Reports"],
         ["Menus"] = [""],
+        ["Migration"] = ["", "Reports"],
         ["Preview"] = [""],
         ["Recorders"] = [""],
         ["Reports"] = [""],

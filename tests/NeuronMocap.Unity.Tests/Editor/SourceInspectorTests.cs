@@ -7,7 +7,7 @@ namespace NeuronMocap.Unity.Tests.Editor;
 
 public class SourceInspectorTests
 {
-    private static readonly string[] Always = ["Kind", "Resample", "Delay", "Interpolation", "Idle Timeout", "Leave Timeout", "Persist Across Scenes"];
+    private static readonly string[] Always = ["Kind", "Resample", "Delay", "Interpolation", "Idle Timeout", "Leave Timeout", "Stage", "Recenter Key", "Persist Across Scenes"];
 
     [Theory]
     [InlineData(SourceKind.Network, "Address,Port,Calculation Port,Transport,Local Address,Reconnect,Command Port,Rotation Order,Skeleton Variant")]

@@ -60,6 +60,7 @@ namespace NeuronMocap.Unity
             ActiveSource = null;
             _retargeted = null;
             _hasPose = false;
+            _way = default;
             _rig?.Writer.End();
         }
 
@@ -115,6 +116,7 @@ namespace NeuronMocap.Unity
             _rigProblem = _rig is null ? problem : null;
             _retargeted = null;
             _hasPose = false;
+            _way = default;
             return _rig != null;
         }
 
@@ -168,11 +170,12 @@ namespace NeuronMocap.Unity
             options.Weights.Reset();
             _partWeights.CopyTo(options.Weights);
             CopyBoneWeights(options.Weights);
-            if (!rig.TryRetarget(performer.LocalPose))
+            if (!rig.TryRetarget(PlaceOnStage(performer, rig)))
                 return;
 
             _hasPose = true;
             PlantFeet(performer, rig);
+            MoveRoot(performer, rig);
         }
 
         // With in-place root motion, feet slide by design.

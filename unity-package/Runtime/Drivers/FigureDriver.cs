@@ -38,6 +38,11 @@ namespace NeuronMocap.Unity
         [SerializeField]
         private RootMotion _rootMotion;
 
+        [Tooltip("Hips: the root transform stays in place. Root Transform: it moves and turns with the performer. Character Controller: one on this object or above it does, "
+            + "with collisions and gravity.")]
+        [SerializeField]
+        private RootMotionTarget _rootMotionTarget;
+
         [Tooltip("Scale root motion by leg length to prevent foot sliding. Off: use Scale.")]
         [SerializeField]
         private bool _automaticScale = true;
@@ -138,6 +143,13 @@ namespace NeuronMocap.Unity
         {
             get => _rootMotion;
             set => _rootMotion = value;
+        }
+
+        /// <summary>Gets or sets what the root motion moves: the hips, the root transform or a character controller. The default is the hips.</summary>
+        public RootMotionTarget RootMotionTarget
+        {
+            get => _rootMotionTarget;
+            set => _rootMotionTarget = value;
         }
 
         /// <summary>Gets or sets whether root motion is scaled by leg length. If false, <see cref="Scale"/> applies. The default is true.</summary>

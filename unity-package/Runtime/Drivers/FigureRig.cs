@@ -17,6 +17,7 @@ namespace NeuronMocap.Unity
         public FigureRig(TargetRig target, Transform[] nodes, string note)
         {
             Target = target;
+            Root = nodes[0].parent;
             Note = note;
             Pose = new RetargetedPose(target);
             Writer = new PoseWriter(nodes, target);
@@ -25,6 +26,11 @@ namespace NeuronMocap.Unity
         }
 
         public TargetRig Target { get; }
+
+        // The transform in whose space poses are. Nodes are parents first, so the first one is directly below it.
+        public Transform? Root { get; }
+
+        public float Scale => _retargeter.Scale;
 
         public string Note { get; }
 

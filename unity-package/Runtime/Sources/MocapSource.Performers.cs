@@ -88,9 +88,10 @@ namespace NeuronMocap.Unity
             }
 
             var sampling = new SamplingSettings(_resample, _delay, _interpolation);
+            StagePlacement placement = GetPlacement();
             for (int i = _performers.Count - 1; i >= 0 && _connection == connection; i--)
             {
-                _performers[i].Update(now, _idleTimeout, sampling);
+                _performers[i].Update(now, _idleTimeout, sampling, placement);
                 if (IsGone(_performers[i].Stream, now))
                     Remove(i);
             }
@@ -112,7 +113,7 @@ namespace NeuronMocap.Unity
 
         private void Add(AvatarStream stream)
         {
-            var performer = new Performer(stream, new SamplingSettings(_resample, _delay, _interpolation));
+            var performer = new Performer(stream, new SamplingSettings(_resample, _delay, _interpolation), GetPlacement());
             _performers.Add(performer);
             Handlers.Raise(PerformerJoined, performer, this);
         }

@@ -146,6 +146,8 @@ namespace NeuronMocap.Unity
             if (!(_connection is { } connection))
                 return;
 
+            FollowRecenterKey();
+
             // A handler may close and reopen the source at any of these points.
             TakeStatus(connection);
             if (_connection == connection)

@@ -127,6 +127,16 @@ namespace NeuronMocap.Unity
         [SerializeField]
         private float _leaveTimeout = 10;
 
+        [Header("Stage")]
+        [Tooltip("Where the performers of this source stand in the scene. Set it here, not at single figures: figures, spawners, views and scripts all use it.")]
+        [SerializeField]
+        private SourceStage _stage = new SourceStage();
+
+        [Tooltip("Key that makes the place and the facing of the first performer origin and forward of the stage. It needs the old Input Manager. With the Input System, call "
+            + "Recenter from an action.")]
+        [SerializeField]
+        private KeyCode _recenterKey;
+
         [Header("Scenes")]
         [Tooltip("Keep the source, and its connection, when another scene is loaded. It must be on its own object at the root of the scene.")]
         [SerializeField]

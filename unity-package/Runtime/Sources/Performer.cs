@@ -26,14 +26,18 @@ namespace NeuronMocap.Unity
         private readonly BoneTransform[] _world = new BoneTransform[BoneHierarchy.BoneCount];
         private PoseBuffer _buffer;
         private SamplingSettings _sampling;
+        private StagePlacement _placement;
+        private SkeletonBody _streamedBody;
         private long _framesShown;
 
-        internal Performer(AvatarStream stream, in SamplingSettings sampling)
+        internal Performer(AvatarStream stream, in SamplingSettings sampling, in StagePlacement placement)
         {
             _stream = stream;
             _sampling = sampling;
+            _placement = placement;
             _buffer = sampling.CreateBuffer();
-            Body = stream.Body;
+            _streamedBody = stream.Body;
+            Body = placement.Apply(_streamedBody);
             Name = stream.Name;
             Body.CopyRestPose(_local);
             ForwardKinematics.ToWorld(_local, _world, Body.Variant);
@@ -67,7 +71,9 @@ namespace NeuronMocap.Unity
         /// <summary>Gets the number of rejected frames: a value was not a number, or a position was more than 100 km away.</summary>
         public long RejectedFrames => _stream.Rejected;
 
-        /// <summary>Gets the sizes of the performer, from the stream or the command channel, or else the default sizes.</summary>
+        /// <summary>
+        /// Gets the sizes of the performer, from the stream or the command channel, or else the default sizes. The scale of the source's stage applies.
+        /// </summary>
         public SkeletonBody Body { get; private set; }
 
         /// <summary>Gets a number that increases whenever <see cref="Body"/> changes.</summary>
@@ -81,8 +87,8 @@ namespace NeuronMocap.Unity
 
         /// <summary>
         /// Gets the pose of this rendered frame: 59 transforms relative to their parents in <see cref="Bone"/> order, in the stream's axes and
-        /// centimetres. The hips are relative to the world. Valid until the next rendered frame. Before <see cref="HasPose"/> is true, it is the rest
-        /// pose.
+        /// centimetres. The hips are relative to the world, where <see cref="MocapSource.Stage"/> puts them. Valid until the next rendered frame. Before
+        /// <see cref="HasPose"/> is true, it is the rest pose.
         /// </summary>
         public ReadOnlySpan<BoneTransform> LocalPose => _local;
 
@@ -98,7 +104,10 @@ namespace NeuronMocap.Unity
         /// <summary>Gets whether <see cref="Contacts"/> was measured by the server.</summary>
         public bool HasMeasuredContacts { get; private set; }
 
-        /// <summary>Gets the position of a joint, in Unity's axes, relative to the origin of the mocap stage.</summary>
+        /// <summary>
+        /// Gets the position of a joint, in Unity's axes, where <see cref="MocapSource.Stage"/> puts it. Without such settings, it is relative to the
+        /// origin of the mocap stage.
+        /// </summary>
         /// <param name="bone">The bone.</param>
         /// <returns>The position in metres.</returns>
         /// <exception cref="ArgumentOutOfRangeException">The bone is not defined.</exception>
@@ -128,11 +137,20 @@ namespace NeuronMocap.Unity
 
         internal AvatarStream Stream => _stream;
 
+        // As received, without the source's stage.
+        internal BoneTransform StreamedHips { get; private set; }
+
+        // Where the origin of the source's stage is, in the stream's axes.
+        internal System.Numerics.Vector3 StageOffset => _placement.Offset;
+
+        // Increases when the performer's place changes without a movement.
+        internal int PlacementVersion { get; private set; }
+
         // The time of this rendered frame, in seconds of SourceClock.
         internal double Time { get; private set; }
 
         // now: ticks of SourceClock.
-        internal void Update(long now, double idleTimeout, in SamplingSettings sampling)
+        internal void Update(long now, double idleTimeout, in SamplingSettings sampling, in StagePlacement placement)
         {
             if (!_sampling.Equals(sampling))
                 Resample(sampling);
@@ -141,21 +159,18 @@ namespace NeuronMocap.Unity
             SecondsSinceFrame = (float)Math.Max(0, Time - SourceClock.ToSeconds(_stream.LastArrival));
             IsLive = SecondsSinceFrame < idleTimeout;
             Name = _stream.Name;
-            SkeletonBody body = _stream.Body;
-            if (!ReferenceEquals(body, Body))
-            {
-                Body = body;
-                BodyVersion++;
-            }
-
+            Place(placement);
             PoseOrigin origin = _buffer.Sample(_sampling.Resamples ? Time : Time + BeyondAll, _local);
             if (origin == PoseOrigin.None)
                 return;
 
             PoseOrigin = origin;
             HasPose = true;
+            StreamedHips = _local[0];
             ForwardKinematics.ToWorld(_local, _world, Body.Variant);
             UpdateContacts(now);
+            if (_placement.TryApply(_local))
+                ForwardKinematics.ToWorld(_local, _world, Body.Variant);
         }
 
         internal void Release() => _stream.Detach(_buffer);
@@ -163,6 +178,22 @@ namespace NeuronMocap.Unity
         private static int CheckedIndex(Bone bone) => (uint)bone < BoneHierarchy.BoneCount
             ? (int)bone
             : throw new ArgumentOutOfRangeException(nameof(bone), bone, "The bone must be one of the 59 bones, 0 to 58.");
+
+        private void Place(in StagePlacement placement)
+        {
+            SkeletonBody body = _stream.Body;
+            bool isNewBody = !ReferenceEquals(body, _streamedBody) || !_placement.ResizesLike(placement);
+            if (!_placement.Equals(placement))
+                PlacementVersion++;
+
+            _placement = placement;
+            if (!isNewBody)
+                return;
+
+            _streamedBody = body;
+            Body = placement.Apply(body);
+            BodyVersion++;
+        }
 
         private void Resample(in SamplingSettings sampling)
         {
@@ -184,7 +215,7 @@ namespace NeuronMocap.Unity
                 return;
 
             _framesShown = frames;
-            Contacts = _estimator.Update(_world, Body, Time, measured);
+            Contacts = _placement.Apply(_estimator.Update(_world, _streamedBody, Time, measured));
         }
     }
 }

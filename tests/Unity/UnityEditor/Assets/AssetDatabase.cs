@@ -11,7 +11,8 @@ public static partial class AssetDatabase
     public static bool Contains(UnityEngine.Object obj) => GetAssetPath(obj).Length > 0;
 
     public static string GetAssetPath(UnityEngine.Object? assetObject) =>
-        Files.FirstOrDefault(file => file.Value.Any(item => ReferenceEquals(item, assetObject))).Key ?? "";
+        Files.FirstOrDefault(file => file.Value.Any(item => ReferenceEquals(item, assetObject) || (assetObject is UnityEngine.Component part && ReferenceEquals(item, part.gameObject)))).Key ?? "";
 
-    public static UnityEngine.Object[] LoadAllAssetsAtPath(string assetPath) => Files.TryGetValue(assetPath, out List<UnityEngine.Object>? found) ? [.. found] : [];
+    public static UnityEngine.Object[] LoadAllAssetsAtPath(string assetPath) =>
+        [.. Files.TryGetValue(assetPath, out List<UnityEngine.Object>? found) ? found : Import(assetPath) ?? []];
 }

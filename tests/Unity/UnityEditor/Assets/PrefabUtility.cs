@@ -1,9 +1,29 @@
+using UnityEngine;
+using Object = UnityEngine.Object;
+
 namespace UnityEditor;
 
 public static class PrefabUtility
 {
-    /// <summary>Does nothing, because there are no prefab instances.</summary>
-    public static void RecordPrefabInstancePropertyModifications(UnityEngine.Object targetObject)
+    /// <summary>Does nothing, because instances keep no list of modifications.</summary>
+    public static void RecordPrefabInstancePropertyModifications(Object targetObject)
     {
+    }
+
+    /// <returns>The object of the prefab, or null for one that is in no prefab or was added to an instance.</returns>
+    public static T? GetCorrespondingObjectFromSource<T>(T componentOrGameObject)
+        where T : Object => FileIds.Of(componentOrGameObject)?.Source as T;
+
+    /// <summary>Saves a prefab. Instances lose the components that it lost; the stand-in does not add what it gained.</summary>
+    public static GameObject SavePrefabAsset(GameObject asset)
+    {
+        if (asset.transform.parent is not null || AssetDatabase.GetAssetPath(asset) is not { Length: > 0 } path)
+            throw new ArgumentException("Can't save a Prefab that is not the root of an asset", nameof(asset));
+
+        ObjectFile.Save(path, [asset]);
+        foreach (Object orphan in FileIds.FindOrphans())
+            Object.DestroyImmediate(orphan, true);
+
+        return asset;
     }
 }

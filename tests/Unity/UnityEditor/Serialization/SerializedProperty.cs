@@ -37,6 +37,15 @@ public sealed class SerializedProperty
 
     public string tooltip => _field.GetCustomAttribute<TooltipAttribute>()?.tooltip ?? "";
 
+    public SerializedPropertyType propertyType =>
+        _field.FieldType == typeof(bool) ? SerializedPropertyType.Boolean
+        : _field.FieldType == typeof(float) ? SerializedPropertyType.Float
+        : _field.FieldType == typeof(string) ? SerializedPropertyType.String
+        : _field.FieldType.IsEnum ? SerializedPropertyType.Enum
+        : _field.FieldType.IsPrimitive ? SerializedPropertyType.Integer
+        : typeof(UnityEngine.Object).IsAssignableFrom(_field.FieldType) ? SerializedPropertyType.ObjectReference
+        : SerializedPropertyType.Generic;
+
     public bool isExpanded { get; set; }
 
     public bool hasMultipleDifferentValues { get; private set; }
@@ -92,7 +101,10 @@ public sealed class SerializedProperty
         string text => text,
         IList list => $"{list.Count} elements",
         IFormattable number => number.ToString(null, CultureInfo.InvariantCulture),
-        var other => other.ToString() ?? "",
+        ValueType other => other.ToString() ?? "",
+
+        // A foldout.
+        _ => "",
     };
 
     public bool NextVisible(bool enterChildren)

@@ -55,6 +55,25 @@ public static class Undo
     public static void RegisterCreatedObjectUndo(UnityEngine.Object objectToUndo, string name) =>
         Steps.Add((_group, name, () => UnityEngine.Object.DestroyImmediate(objectToUndo)));
 
+    /// <summary>Destroys a component. Undo brings back the same object.</summary>
+    public static void DestroyObjectImmediate(UnityEngine.Object objectToUndo)
+    {
+        var component = (Component)objectToUndo;
+        GameObject owner = component.gameObject;
+        int index = owner.Components.IndexOf(component);
+        UnityEngine.Object.DestroyImmediate(component, true);
+        if (!component.IsDestroyed)
+            return;
+
+        Steps.Add((_group, "Destroy Object", Restore));
+
+        void Restore()
+        {
+            UnityEngine.StandIn.World.Restore(component);
+            owner.Components.Insert(index, component);
+        }
+    }
+
     public static T AddComponent<T>(GameObject gameObject)
         where T : Component
     {
@@ -101,6 +120,7 @@ public static class Undo
             };
         }
 
+        IReadOnlyList<string> missing = (item as GameObject)?.MissingScripts ?? [];
         (FieldInfo Field, object? Value)[] fields = [.. SerializedFields.Of(item.GetType()).Select(field => (field, field.GetValue(item)))];
 
         // Engine types keep their state behind properties.
@@ -115,6 +135,8 @@ public static class Undo
                 field.SetValue(item, value);
             foreach ((PropertyInfo property, object? value) in properties)
                 property.SetValue(item, value);
+            if (item is GameObject owner)
+                owner.MissingScripts = missing;
         };
     }
 }

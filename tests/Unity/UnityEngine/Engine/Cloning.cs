@@ -27,7 +27,7 @@ internal static class Cloning
 
         prepare(copy);
         place?.Invoke(copy.transform);
-        Wake(copy.GetComponentsInChildren<MonoBehaviour>(true));
+        Wake(copy.GetComponentsInChildren<MonoBehaviour>(true).Where(static script => script is not null));
         copy.RefreshActivity();
         return (T)copies[original];
     }
@@ -53,7 +53,7 @@ internal static class Cloning
     private static GameObject CloneTree(GameObject source, Dictionary<Object, Object> copies)
     {
         // Inactive until everything is in place, because no script may run before.
-        var copy = new GameObject(source.name) { layer = source.layer, tag = source.tag };
+        var copy = new GameObject(source.name) { layer = source.layer, tag = source.tag, MissingScripts = source.MissingScripts };
         copy.SetActiveQuietly(false);
         copies.Add(source, copy);
         copies.Add(source.transform, copy.transform);

@@ -146,6 +146,7 @@ internal sealed class PlayerLoop : IDisposable
         ConsoleLog.Clear();
         GizmoLog.Clear();
         Input.Clear();
+        CharacterController.Clear();
         Resources.Assets.Clear();
         Time.Restart();
     }

@@ -22,6 +22,13 @@ internal static class World
 
     public static void Remove(Object item) => _objects.Remove(item);
 
+    /// <summary>Brings a destroyed object back, as Undo does.</summary>
+    public static void Restore(Object item)
+    {
+        item.MarkDestroyed(false);
+        _objects.Add(item);
+    }
+
     public static IEnumerable<GameObject> GetRoots() =>
         _objects.OfType<GameObject>().Where(static item => !item.IsAsset && item.transform.parent is null);
 

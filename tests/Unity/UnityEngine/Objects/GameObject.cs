@@ -61,13 +61,19 @@ public sealed class GameObject : Object
 
     public bool isStatic { get; set; }
 
-    public Scene scene => new(IsKept ? "DontDestroyOnLoad" : IsAsset ? "" : SceneManager.ActiveName);
+    public Scene scene => new(IsKept ? "DontDestroyOnLoad" : IsAsset ? "" : transform.root.Owner!.SceneName ?? SceneManager.ActiveName);
 
     public GameObject gameObject => this;
 
     internal List<Component> Components { get; } = [];
 
     internal bool IsKept { get; set; }
+
+    /// <summary>Of a root, its scene if that is not the active one.</summary>
+    internal string? SceneName { get; set; }
+
+    /// <summary>The serialised components whose scripts do not exist. Lists of components have null for each.</summary>
+    internal IReadOnlyList<string> MissingScripts { get; set; } = [];
 
     /// <summary>True during SetActive, while OnEnable and OnDisable run. Meanwhile the object cannot gain or lose children.</summary>
     internal bool IsChanging { get; private set; }
@@ -167,7 +173,7 @@ public sealed class GameObject : Object
     public T[] GetComponents<T>()
     {
         Check();
-        return [.. Components.OfType<T>()];
+        return [.. Components.OfType<T>(), .. GetMissing<T>()];
     }
 
     public void GetComponents<T>(List<T> results)
@@ -179,6 +185,9 @@ public sealed class GameObject : Object
             if (item is T found)
                 results.Add(found);
         }
+
+        if (MissingScripts.Count > 0)
+            results.AddRange(GetMissing<T>());
     }
 
     public T GetComponentInChildren<T>() => GetComponentInChildren<T>(false);
@@ -229,7 +238,7 @@ public sealed class GameObject : Object
 
     public void SendMessage(string methodName)
     {
-        foreach (MonoBehaviour script in GetComponents<MonoBehaviour>())
+        foreach (MonoBehaviour script in Components.OfType<MonoBehaviour>().ToArray())
             script.State.Call(methodName);
     }
 
@@ -295,6 +304,9 @@ public sealed class GameObject : Object
         MarkDestroyed();
     }
 
+    private IEnumerable<T> GetMissing<T>() =>
+        typeof(T).IsAssignableFrom(typeof(MonoBehaviour)) ? Enumerable.Repeat(default(T)!, MissingScripts.Count) : [];
+
     private void Collect<T>(bool includeInactive, List<T> found)
     {
         if (!includeInactive && !IsActive && !_isAsset)
@@ -305,6 +317,9 @@ public sealed class GameObject : Object
             if (item is T match)
                 found.Add(match);
         }
+
+        if (MissingScripts.Count > 0)
+            found.AddRange(GetMissing<T>());
 
         foreach (Transform child in transform.Children)
             child.Owner!.Collect(includeInactive, found);

@@ -139,7 +139,7 @@ public class Object
         MarkDestroyed();
     }
 
-    internal void MarkDestroyed() => IsDestroyed = true;
+    internal void MarkDestroyed(bool isDestroyed = true) => IsDestroyed = isDestroyed;
 
     /// <summary>The first check of every call into the engine: the thread, and that the object still exists.</summary>
     internal void Check([System.Runtime.CompilerServices.CallerMemberName] string member = "")

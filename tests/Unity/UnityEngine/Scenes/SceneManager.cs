@@ -11,15 +11,31 @@ public class SceneManager
 
     public static event UnityAction<Scene, Scene>? activeSceneChanged;
 
-    public static int sceneCount => 1;
+    public static int sceneCount => 1 + Others.Count;
 
     internal static string ActiveName { get; set; } = "Untitled";
 
     internal static string? Requested { get; set; }
 
+    /// <summary>The names of scenes that are open beside the active one.</summary>
+    internal static List<string> Others { get; } = [];
+
+    /// <summary>The files of saved scenes, by name.</summary>
+    internal static Dictionary<string, string> Paths { get; } = [];
+
+    internal static HashSet<string> Dirty { get; } = [];
+
     public static Scene GetActiveScene() => new(ActiveName);
 
-    public static Scene GetSceneAt(int index) => GetActiveScene();
+    public static Scene GetSceneAt(int index) => index == 0 ? GetActiveScene() : new(Others[index - 1]);
+
+    public static void MoveGameObjectToScene(GameObject go, Scene scene)
+    {
+        if (go.transform.parent is not null)
+            throw new ArgumentException("Gameobject is not a root in a scene", nameof(go));
+
+        go.SceneName = scene.name == ActiveName ? null : scene.name;
+    }
 
     /// <summary>Changes the scene with the next frame, as in the engine.</summary>
     public static void LoadScene(string sceneName) => Requested = sceneName;
@@ -47,6 +63,9 @@ public class SceneManager
         (sceneLoaded, sceneUnloaded, activeSceneChanged) = (null, null, null);
         ActiveName = "Untitled";
         Requested = null;
+        Others.Clear();
+        Paths.Clear();
+        Dirty.Clear();
     }
 }
 
@@ -62,7 +81,10 @@ public readonly struct Scene : IEquatable<Scene>
 
     public string name { get; }
 
-    public string path => name.Length == 0 ? "" : $"Assets/{name}.unity";
+    /// <summary>Empty for a scene that was never saved.</summary>
+    public string path => SceneManager.Paths.TryGetValue(name ?? "", out string? saved) ? saved : "";
+
+    public bool isDirty => SceneManager.Dirty.Contains(name);
 
     public bool isLoaded => IsValid();
 

@@ -1,0 +1,14 @@
+namespace UnityEditor;
+
+public enum SerializedPropertyType
+{
+    Generic = -1,
+    Integer,
+    Boolean,
+    Float,
+    String,
+    Color,
+    ObjectReference,
+    LayerMask,
+    Enum,
+}

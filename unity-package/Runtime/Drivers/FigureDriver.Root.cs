@@ -1,0 +1,84 @@
+#nullable enable
+
+using System;
+using UnityEngine;
+using Quaternion = UnityEngine.Quaternion;
+using Vector3 = UnityEngine.Vector3;
+
+namespace NeuronMocap.Unity
+{
+    // Root motion that moves the figure's root or its character controller.
+    public abstract partial class FigureDriver
+    {
+        private const string NoController =
+            "No Character Controller found. Add one to the object that carries the figure, or set Root Motion Target to Root Transform.";
+
+        [NonSerialized]
+        private readonly RootTravel _travel = new RootTravel();
+
+        [NonSerialized]
+        private CharacterController? _controller;
+
+        [NonSerialized]
+        private (Performer? Performer, int Placement, RootMotionTarget Target) _way;
+
+        [NonSerialized]
+        private float _fallSpeed;
+
+        [NonSerialized]
+        private Vector3 _remainder;
+
+        private void MoveRoot(Performer performer, FigureRig rig)
+        {
+            // A new performer, or another place of its stage, is no step.
+            var way = (performer, performer.PlacementVersion, _rootMotionTarget);
+            if (_way != way)
+                _travel.Reset();
+
+            _way = way;
+            if (_rootMotionTarget == RootMotionTarget.Hips || rig.Root == null || !rig.Pose.IsDriven(rig.Target.HipsNode))
+                return;
+
+            (System.Numerics.Vector3 step, System.Numerics.Quaternion turn) = _travel.Take(rig.Pose);
+            float weight = Mathf.Clamp01(_weight) * _presence;
+            Transform space = rig.Root;
+            Vector3 motion = space.TransformVector(step.ToUnity()) * weight;
+            Quaternion rotation = space.rotation * Quaternion.Slerp(Quaternion.identity, turn.ToUnity(), weight) * Quaternion.Inverse(space.rotation);
+
+            // The figure may be below the object with this component, or elsewhere.
+            Transform root = space.IsChildOf(transform) ? transform : space;
+            if (_rootMotionTarget == RootMotionTarget.RootTransform)
+            {
+                root.SetPositionAndRotation(root.position + motion, rotation * root.rotation);
+                return;
+            }
+
+            if (_controller == null)
+                _controller = root.GetComponentInParent<CharacterController>();
+            if (_controller == null)
+                return;
+
+            Transform carrier = _controller.transform;
+            carrier.rotation = rotation * carrier.rotation;
+            MoveController(_controller, motion);
+        }
+
+        // Gravity keeps the controller on the ground, so that it notices the ground and follows slopes and steps.
+        private void MoveController(CharacterController controller, Vector3 motion)
+        {
+            if (!controller.enabled || !controller.gameObject.activeInHierarchy)
+                return;
+
+            if (controller.isGrounded && _fallSpeed < 0)
+                _fallSpeed = 0;
+
+            // A controller ignores short ways, such as those of a high frame rate.
+            _fallSpeed += Physics.gravity.y * Time.deltaTime;
+            Vector3 way = _remainder + motion + (Vector3.up * (_fallSpeed * Time.deltaTime));
+            bool isShort = way.magnitude < controller.minMoveDistance;
+            _remainder = isShort ? way : Vector3.zero;
+            if (!isShort)
+                controller.Move(way);
+        }
+    }
+}
