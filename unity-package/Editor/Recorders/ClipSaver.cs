@@ -1,5 +1,8 @@
 #nullable enable
 using System;
+#if !UNITY_6000_1_OR_NEWER
+using System.Reflection;
+#endif
 using UnityEditor;
 using UnityEngine;
 
@@ -14,7 +17,14 @@ namespace NeuronMocap.Unity.EditorTools
 
         static ClipSaver() => Register();
 
-        internal static void Register() => ClipRecorder.Saver = Save;
+        internal static void Register()
+        {
+            ClipRecorder.Saver = Save;
+#if !UNITY_6000_1_OR_NEWER
+            if (typeof(Avatar).GetMethod("GetPostRotation", BindingFlags.Instance | BindingFlags.NonPublic) is { } getAxes)
+                HumanoidGoals.AxesOf = (avatar, bone) => (Quaternion)getAxes.Invoke(avatar, new object[] { (int)bone });
+#endif
+        }
 
         private static string Save(ClipRecorder recorder, ClipTake take)
         {

@@ -56,9 +56,9 @@ public class Animator : Behaviour
         set => transform.rotation = value;
     }
 
-    public float leftFeetBottomHeight => 0.08f;
+    public float leftFeetBottomHeight => LimbGoals.FootHeight;
 
-    public float rightFeetBottomHeight => 0.08f;
+    public float rightFeetBottomHeight => LimbGoals.FootHeight;
 
     /// <summary>The work of a controller between Update and LateUpdate: it writes everything that it animates.</summary>
     internal Action? Animating
