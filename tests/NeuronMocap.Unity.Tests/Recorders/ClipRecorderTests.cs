@@ -147,6 +147,19 @@ public sealed partial class ClipRecorderTests : IDisposable
     }
 
     [Fact]
+    public void A_capture_makes_a_clip_in_the_time_of_the_game()
+    {
+        ClipRecorder recorder = HumanoidFigure.Build(SkeletonBody.GetDefault()).Root.AddComponent<ClipRecorder>();
+        Time.captureFramerate = 30;
+        recorder.StartRecording();
+
+        _loop.Frames(31, 0.5f);
+
+        Assert.Equal(31, recorder.Take!.FrameCount);
+        Assert.Equal(1, recorder.Take.Length, 1e-4f);
+    }
+
+    [Fact]
     public void Invalid_settings_are_reported()
     {
         ClipRecorder recorder = new GameObject("Nothing").AddComponent<ClipRecorder>();

@@ -23,8 +23,14 @@ public sealed class ClipWriterTests : IDisposable
         Assert.True(recorder.StartRecording());
         _loop.RunFor(0.5f);
         ClipTake take = recorder.Take!;
+        AnimationUtility.Syncs = 0;
+        EditorUtility.Progress.Clear();
         recorder.StopRecording();
 
+        Assert.Equal(1, AnimationUtility.Syncs);
+        Assert.Equal((0f, 1f), (EditorUtility.Progress[0], EditorUtility.Progress[^1]));
+        Assert.Equal(EditorUtility.Progress.Order(), EditorUtility.Progress);
+        Assert.False(EditorUtility.IsShowingProgress);
         Assert.Empty(recorder.Problem);
         Assert.StartsWith("Assets/Recordings/walk 001", recorder.SavedPath);
         AnimationClip clip = AssetDatabase.LoadAssetAtPath<AnimationClip>(recorder.SavedPath)!;

@@ -30,9 +30,20 @@ namespace NeuronMocap.Unity.EditorTools
         {
             string folder = MakeFolder(recorder.Folder);
             string character = recorder.Animator != null ? recorder.Animator.name : recorder.name;
-            string path = TakeFileName.Create(folder, recorder.FileName, character, DateTime.Now, Extension).Replace('\\', '/') + Extension;
-            AssetDatabase.CreateAsset(ClipWriter.Create(take, recorder.KeyTolerance), AssetDatabase.GenerateUniqueAssetPath(path));
-            AssetDatabase.SaveAssets();
+            string wanted = TakeFileName.Create(folder, recorder.FileName, character, DateTime.Now, Extension).Replace('\\', '/') + Extension;
+            string path = AssetDatabase.GenerateUniqueAssetPath(wanted);
+            try
+            {
+                AnimationClip clip = ClipWriter.Create(
+                    take, recorder.KeyTolerance, part => EditorUtility.DisplayProgressBar("Writing an animation clip", path, part));
+                AssetDatabase.CreateAsset(clip, path);
+                AssetDatabase.SaveAssets();
+            }
+            finally
+            {
+                EditorUtility.ClearProgressBar();
+            }
+
             Debug.Log($"Animation clip saved: {path} ({take.FrameCount} frames, {take.Length:0.0} s)", recorder);
             return path;
         }
