@@ -129,7 +129,7 @@ public sealed partial class NeuronReader : IDisposable, IAsyncDisposable
         _discovery = _options.Commands is { } commands ? new ServerDiscovery(commands, _format, OnFormatLearnt) : null;
         var recognizer = new StreamRecognizer(_format);
         _activity = new LinkActivity(
-            _status, _options.SilenceTimeout, _options.Transport == TransportKind.Udp ? _senders : null, recognizer.Describe, player is null ? null : () => player.IsPaused);
+            _status, _options.SilenceTimeout, _options.Transport == TransportKind.Udp ? _senders : null, recognizer.Describe, player is null ? null : () => player.IsHeld);
         _eventHandlers = new HandlerList<ReaderEvent>(OnCallbackFailed);
         _eventHandlers.Add(_options.CreateLog());
         _metrics = new ReaderMetrics(_options.DisplayName);

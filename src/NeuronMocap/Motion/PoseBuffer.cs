@@ -58,6 +58,12 @@ public sealed class PoseBuffer
     public double Jitter => _clock.Jitter;
 
     /// <summary>
+    /// The tag of the frame whose pose the latest <see cref="Sample"/> returned: of the earlier one, if the pose lies between two frames. Use it for data
+    /// that belongs to frames, such as foot contacts. Read it on the sampling thread.
+    /// </summary>
+    public long SampledTag => _timeline.SampledTag;
+
+    /// <summary>
     /// Adds a frame. Call it from one thread, which may be the thread of <see cref="Sample"/>. It never waits and does not allocate memory.
     /// </summary>
     /// <param name="pose">
@@ -66,9 +72,10 @@ public sealed class PoseBuffer
     /// </param>
     /// <param name="arrivalSeconds">The receive time of the frame, on the clock of <see cref="Sample"/>.</param>
     /// <param name="frameIndex">The sender's counter, if available. It reveals missing, duplicate and reordered frames.</param>
+    /// <param name="tag">A number of your own for the frame, which <see cref="SampledTag"/> returns.</param>
     /// <returns>True if the frame was added. False if the buffer was full or the time is not finite: the frame is dropped and counted.</returns>
     /// <exception cref="ArgumentException">There are fewer than 59 transforms.</exception>
-    public bool Push(ReadOnlySpan<BoneTransform> pose, double arrivalSeconds, uint? frameIndex = null)
+    public bool Push(ReadOnlySpan<BoneTransform> pose, double arrivalSeconds, uint? frameIndex = null, long tag = 0)
     {
         ForwardKinematics.CheckPose(pose, nameof(pose));
         if (double.IsNaN(arrivalSeconds) || double.IsInfinity(arrivalSeconds) || _ring.Free is not { } slot)
@@ -80,6 +87,7 @@ public sealed class PoseBuffer
         pose[..BoneHierarchy.BoneCount].CopyTo(slot.Pose);
         slot.Arrival = arrivalSeconds;
         slot.Index = frameIndex;
+        slot.Tag = tag;
         _ring.Publish();
         return true;
     }

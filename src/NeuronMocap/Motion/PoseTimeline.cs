@@ -21,6 +21,9 @@ internal sealed class PoseTimeline(PoseBufferOptions options, int capacity)
     private double _interval;
     private bool _hasSpeed;
 
+    // The tag of the last frame at or before the time of the latest sample, or else of the first frame.
+    public long SampledTag { get; private set; }
+
     public void Add(PoseSlot slot)
     {
         int place = _count;
@@ -51,6 +54,7 @@ internal sealed class PoseTimeline(PoseBufferOptions options, int capacity)
         while (after < _count && _slots[after].Time <= time)
             after++;
 
+        SampledTag = _slots[Math.Max(after - 1, 0)].Tag;
         PoseOrigin origin = PoseOrigin.Interpolated;
         if (after == _count)
             origin = Continue(_count - 1, time, pose);

@@ -15,6 +15,7 @@ public sealed class ComponentInspectorTests : IDisposable
     [InlineData(typeof(PerformerSpawner))]
     [InlineData(typeof(FigureBuilder))]
     [InlineData(typeof(MotionRecorder))]
+    [InlineData(typeof(ClipRecorder))]
     [InlineData(typeof(SkeletonView))]
     public void Edit_mode_shows_fields_without_state(Type type)
     {
@@ -87,7 +88,7 @@ public sealed class ComponentInspectorTests : IDisposable
             UnityEditor.Editor inspector = _world.Inspect(recorder);
             ImmediateGui.Draw(inspector.OnInspectorGUI);
             Assert.Equal(Dot(Severity.None), EditorWorld.DotOf("Ready"));
-            Assert.False(EditorWorld.Find(MotionRecorderEditor.Show).IsEnabled);
+            Assert.False(EditorWorld.Find(MotionRecorderEditor.ShowFiles).IsEnabled);
 
             ImmediateGui.Click(inspector.OnInspectorGUI, MotionRecorderEditor.Start);
             Assert.True(recorder.State is RecorderState.Waiting or RecorderState.Recording);
@@ -101,7 +102,7 @@ public sealed class ComponentInspectorTests : IDisposable
             Assert.Contains("Recorded: ", EditorWorld.Find("Recorded: ").Label, StringComparison.Ordinal);
 
             EditorUtility.Revealed.Clear();
-            ImmediateGui.Click(inspector.OnInspectorGUI, MotionRecorderEditor.Show);
+            ImmediateGui.Click(inspector.OnInspectorGUI, MotionRecorderEditor.ShowFiles);
             string file = Assert.Single(EditorUtility.Revealed);
             Assert.Equal(recorder.Frames, BvhDocument.Load(file).FrameCount);
         }

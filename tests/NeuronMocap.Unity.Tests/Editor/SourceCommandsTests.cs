@@ -1,4 +1,3 @@
-using NeuronMocap.Recording;
 using NeuronMocap.Server;
 using NeuronMocap.Skeleton;
 using NeuronMocap.Tests.Network;
@@ -70,40 +69,6 @@ public sealed class SourceCommandsTests : IDisposable
 
         GuiControl error = EditorWorld.Controls.Single(static control => control.Kind == "HelpBox" && control.Value == "Error");
         Assert.Contains($"{port}", error.Label, StringComparison.Ordinal);
-    }
-
-    [Fact]
-    public void A_source_is_recorded_beside_Assets_with_two_clicks()
-    {
-        MocapSource source = AddClient(commandPort: 0);
-
-        ImmediateGui.Click(_draw, SourcePanel.Record);
-        _world.Loop.RunUntil(() => Says("Recording to"));
-        Assert.DoesNotContain(SourcePanel.Record, EditorWorld.Labels("Button"));
-        long before = source.Reader!.GetStatistics().MotionFrames;
-        _world.Loop.RunUntil(() => source.Reader!.GetStatistics().MotionFrames >= before + 30);
-        ImmediateGui.Click(_draw, SourcePanel.StopRecording);
-        _world.Loop.RunUntil(() => Says("Recorded "));
-
-        string file = Assert.Single(Directory.GetFiles(Path.Combine(_folder, "Recordings"), "*.nmrec"));
-        Assert.StartsWith("Stage_Left-", Path.GetFileName(file), StringComparison.Ordinal);
-        Assert.Contains(Path.GetFileName(file), EditorWorld.Find("Recorded ").Label, StringComparison.Ordinal);
-        using RecordingReader recording = RecordingReader.Open(file);
-        Assert.True(recording.IsComplete);
-        Assert.Empty(recording.Problems);
-    }
-
-    [Fact]
-    public void A_failed_folder_is_reported_in_the_console()
-    {
-        AddClient(commandPort: 0);
-        File.WriteAllText(Path.Combine(_folder, "Recordings"), "");
-
-        ImmediateGui.Click(_draw, SourcePanel.Record);
-
-        Assert.Contains("the recording could not start", Assert.Single(ConsoleLog.Problems).Message, StringComparison.Ordinal);
-        ImmediateGui.Draw(_draw);
-        Assert.Contains(SourcePanel.Record, EditorWorld.Labels("Button"));
     }
 
     private bool Says(string text)

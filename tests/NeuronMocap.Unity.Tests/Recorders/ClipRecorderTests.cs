@@ -1,10 +1,13 @@
 using NeuronMocap.Skeleton;
+using NeuronMocap.Unity.Tests.Drivers;
 
 namespace NeuronMocap.Unity.Tests.Recorders;
 
-public sealed class ClipRecorderTests : IDisposable
+public sealed partial class ClipRecorderTests : IDisposable
 {
     private readonly PlayerLoop _loop = new();
+
+    public ClipRecorderTests() => RegisterEditor();
 
     public void Dispose() => _loop.Dispose();
 
@@ -69,28 +72,65 @@ public sealed class ClipRecorderTests : IDisposable
         }
     }
 
-    [Fact]
-    public void A_humanoid_take_does_not_depend_on_where_the_character_stands()
+    [Theory]
+    [InlineData(false)]
+    [InlineData(true)]
+    public void A_humanoid_take_does_not_depend_on_where_the_character_stands(bool isBodyInWorld)
     {
+        HumanPoseHandler.BodyIsInWorld = isBodyInWorld;
         float[][] values = new float[2][];
         for (int i = 0; i < 2; i++)
         {
             Transform parent = new GameObject("Parent").transform;
             parent.SetPositionAndRotation(new Vector3(5 * i, 0, -3 * i), Quaternion.Euler(0, 120 * i, 0));
+            parent.localScale = (1 + i) * Vector3.one;
             HumanoidFigure figure = HumanoidFigure.Build(SkeletonBody.GetDefault(), parent: parent);
             figure.GetBone(Bone.LeftForeArm).localRotation = Quaternion.Euler(0, 40, 0);
             ClipRecorder recorder = figure.Root.AddComponent<ClipRecorder>();
             recorder.StartRecording();
             _loop.Frame();
             values[i] = [.. Enumerable.Range(0, recorder.Take!.ValueCount).Select(value => recorder.Take.GetValue(0, value))];
-            Assert.Equal(7 + 95, values[i].Length);
+            Assert.Equal(7 + 95 + (4 * 7), values[i].Length);
             Assert.Equal(new Vector3(5 * i, 0, -3 * i), figure.Root.transform.position);
         }
 
         for (int i = 0; i < values[0].Length; i++)
             Assert.Equal(values[0][i], values[1][i], 1e-4f);
 
-        Assert.Contains(values[0].Skip(7), static muscle => Math.Abs(muscle) > 0.1f);
+        Assert.Contains(values[0].Skip(7).Take(95), static muscle => Math.Abs(muscle) > 0.1f);
+    }
+
+    [Fact]
+    public void Goals_are_at_the_soles_and_hands()
+    {
+        TestFigure figure = TestFigure.Build("Ann");
+        ClipRecorder recorder = figure.Root.AddComponent<ClipRecorder>();
+        recorder.StartRecording();
+        _loop.Frame();
+
+        float scale = figure.Animator.humanScale;
+        Transform root = figure.Root.transform;
+        Vector3 body = Position("Root") * scale;
+        Quaternion turn = Rotation("Root");
+        Assert.Equal(0, (End("LeftHand", Vector3.zero) - root.InverseTransformPoint(figure[Bone.LeftHand].position)).magnitude, 1e-4f);
+        Assert.Equal(0, (End("RightHand", Vector3.zero) - root.InverseTransformPoint(figure[Bone.RightHand].position)).magnitude, 1e-4f);
+        Assert.Equal(0, (End("LeftFoot", Vector3.left) - root.InverseTransformPoint(figure[Bone.LeftFoot].position)).magnitude, 1e-4f);
+        Assert.Equal(0, (End("RightFoot", Vector3.left) - root.InverseTransformPoint(figure[Bone.RightFoot].position)).magnitude, 1e-4f);
+
+        // x of a foot's goal points from the ankle to the sole, which is below it in the T-pose.
+        Vector3 down = Quaternion.Inverse(figure.Turn(Bone.LeftFoot)) * turn * Rotation("LeftFoot") * Vector3.right;
+        Assert.Equal(0, (down - Vector3.down).magnitude, 1e-3f);
+
+        Vector3 End(string goal, Vector3 fromSole) =>
+            body + (turn * ((Position(goal) * scale) + (Rotation(goal) * fromSole * figure.Animator.leftFeetBottomHeight)));
+        Vector3 Position(string name) => new(Value(name + "T", 0), Value(name + "T", 1), Value(name + "T", 2));
+        Quaternion Rotation(string name) => new(Value(name + "Q", 0), Value(name + "Q", 1), Value(name + "Q", 2), Value(name + "Q", 3));
+        float Value(string property, int component)
+        {
+            ClipProperty[] properties = [.. recorder.Take!.Properties];
+            int place = Array.FindIndex(properties, item => item.Name == property);
+            return recorder.Take.GetValue(0, properties.Take(place).Sum(static item => item.Components.Count) + component);
+        }
     }
 
     [Fact]
@@ -104,6 +144,19 @@ public sealed class ClipRecorderTests : IDisposable
 
         Assert.InRange(recorder.Take!.FrameCount, 59, 62);
         Assert.Equal(2, recorder.Take.Length, 0.05f);
+    }
+
+    [Fact]
+    public void A_capture_makes_a_clip_in_the_time_of_the_game()
+    {
+        ClipRecorder recorder = HumanoidFigure.Build(SkeletonBody.GetDefault()).Root.AddComponent<ClipRecorder>();
+        Time.captureFramerate = 30;
+        recorder.StartRecording();
+
+        _loop.Frames(31, 0.5f);
+
+        Assert.Equal(31, recorder.Take!.FrameCount);
+        Assert.Equal(1, recorder.Take.Length, 1e-4f);
     }
 
     [Fact]
@@ -121,4 +174,6 @@ public sealed class ClipRecorderTests : IDisposable
         Assert.False(recorder.StartRecording());
         Assert.Contains("Hips", recorder.Problem);
     }
+
+    static partial void RegisterEditor();
 }

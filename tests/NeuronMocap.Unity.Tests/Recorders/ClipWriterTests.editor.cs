@@ -23,17 +23,25 @@ public sealed class ClipWriterTests : IDisposable
         Assert.True(recorder.StartRecording());
         _loop.RunFor(0.5f);
         ClipTake take = recorder.Take!;
+        AnimationUtility.Syncs = 0;
+        EditorUtility.Progress.Clear();
         recorder.StopRecording();
 
+        Assert.Equal(1, AnimationUtility.Syncs);
+        Assert.Equal((0f, 1f), (EditorUtility.Progress[0], EditorUtility.Progress[^1]));
+        Assert.Equal(EditorUtility.Progress.Order(), EditorUtility.Progress);
+        Assert.False(EditorUtility.IsShowingProgress);
         Assert.Empty(recorder.Problem);
         Assert.StartsWith("Assets/Recordings/walk 001", recorder.SavedPath);
         AnimationClip clip = AssetDatabase.LoadAssetAtPath<AnimationClip>(recorder.SavedPath)!;
         EditorCurveBinding[] bindings = AnimationUtility.GetCurveBindings(clip);
         string[] body = ["RootT.x", "RootT.y", "RootT.z", "RootQ.x", "RootQ.y", "RootQ.z", "RootQ.w"];
         Assert.Equal(body, bindings.Take(7).Select(static binding => binding.propertyName));
-        Assert.Equal(95, bindings.Length - 7);
+        Assert.Equal(95 + (4 * 7), bindings.Length - 7);
         Assert.All(bindings, static binding => Assert.Equal((typeof(Animator), ""), (binding.type, binding.path)));
         Assert.Contains(bindings, static binding => binding.propertyName == "RightHand.Little.3 Stretched");
+        string[] goals = ["LeftFootT.x", "LeftFootQ.w", "RightFootT.y", "RightFootQ.x", "LeftHandT.z", "RightHandQ.z"];
+        Assert.All(goals, goal => Assert.Contains(bindings, binding => binding.propertyName == goal));
         Assert.DoesNotContain(bindings, static binding => binding.propertyName.StartsWith("Left Index", StringComparison.Ordinal));
         Assert.True(AnimationUtility.GetAnimationClipSettings(clip).keepOriginalPositionY);
         Assert.True(clip.isHumanMotion);

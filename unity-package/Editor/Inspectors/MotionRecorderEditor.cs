@@ -2,65 +2,40 @@
 
 using System.Linq;
 using UnityEditor;
-using UnityEngine;
 
 namespace NeuronMocap.Unity.EditorTools
 {
     [CustomEditor(typeof(MotionRecorder))]
     [CanEditMultipleObjects]
-    internal sealed class MotionRecorderEditor : ProblemEditor
+    internal sealed class MotionRecorderEditor : TakeRecorderEditor
     {
-        public const string Start = "Start Recording";
-        public const string Stop = "Stop Recording";
-        public const string Show = "Show the Files";
+        public const string ShowFiles = "Show the Files";
 
-        private RecorderState _state;
-        private bool _hasFiles;
+        public MotionRecorderEditor()
+            : base(ShowFiles)
+        {
+        }
 
-        protected override (Severity Severity, string Title, string Problem) Describe()
+        protected override bool CanStart => ((MotionRecorder)target).State != RecorderState.Finishing;
+
+        protected override bool CanShow => ((MotionRecorder)target).Files.Count > 0;
+
+        protected override (Severity Severity, string Title) DescribeTake()
         {
             var recorder = (MotionRecorder)target;
-            _state = recorder.State;
-            _hasFiles = recorder.Files.Count > 0;
             string size = $"{PerformerRow.Number(recorder.Elapsed, "0.0")} s, {PerformerRow.Number(recorder.Frames, "#,0")} frames, "
                 + $"{PerformerRow.Number(recorder.Bytes / 1e6, "0.0")} MB";
-            string title = _state switch
+            return recorder.State switch
             {
-                RecorderState.Waiting => "Waiting for the source to open",
-                RecorderState.Recording => $"Recording: {size}",
-                RecorderState.Finishing => $"Completing the files: {size}",
-                _ => _hasFiles ? $"Recorded: {size}" : "Ready",
+                RecorderState.Waiting => (Severity.Waiting, "Waiting for the source to open"),
+                RecorderState.Recording => (Severity.Good, $"Recording: {size}"),
+                RecorderState.Finishing => (Severity.Waiting, $"Completing the files: {size}"),
+                _ => (Severity.None, CanShow ? $"Recorded: {size}" : "Ready"),
             };
-            Severity severity = recorder.Problem.Length > 0 ? Severity.Error
-                : _state == RecorderState.Recording ? Severity.Good
-                : _state == RecorderState.Idle ? Severity.None
-                : Severity.Waiting;
-            return (severity, title, recorder.Problem);
         }
 
-        protected override void DrawButtons()
-        {
-            var recorder = (MotionRecorder)target;
-            using (new EditorGUILayout.HorizontalScope())
-            {
-                using (new EditorGUI.DisabledScope(_state == RecorderState.Finishing))
-                {
-                    bool isOn = _state == RecorderState.Recording || _state == RecorderState.Waiting;
-                    if (GUILayout.Button(isOn ? Stop : Start))
-                    {
-                        if (isOn)
-                            recorder.StopRecording();
-                        else
-                            recorder.StartRecording();
-                    }
-                }
+        protected override void Show() => EditorUtility.RevealInFinder(((MotionRecorder)target).Files.First());
 
-                using (new EditorGUI.DisabledScope(!_hasFiles))
-                {
-                    if (GUILayout.Button(Show))
-                        EditorUtility.RevealInFinder(recorder.Files.First());
-                }
-            }
-        }
+        protected override bool IsHidden(string field) => field is "_avatarIndex" && serializedObject.Is("_allPerformers", true);
     }
 }

@@ -13,7 +13,7 @@ namespace NeuronMocap.Unity.EditorTools
 
         public override void OnInspectorGUI()
         {
-            DrawDefaultInspector();
+            DrawFields();
             if (targets.Length > 1 || !Application.isPlaying)
                 return;
 
@@ -28,6 +28,8 @@ namespace NeuronMocap.Unity.EditorTools
 
         // Title: what the component does. Problem: what is wrong, or empty.
         protected abstract (Severity Severity, string Title, string Problem) Describe();
+
+        protected virtual void DrawFields() => DrawDefaultInspector();
 
         protected virtual void DrawButtons()
         {

@@ -1,5 +1,8 @@
 #nullable enable
 using System;
+#if !UNITY_6000_1_OR_NEWER
+using System.Reflection;
+#endif
 using UnityEditor;
 using UnityEngine;
 
@@ -14,15 +17,33 @@ namespace NeuronMocap.Unity.EditorTools
 
         static ClipSaver() => Register();
 
-        internal static void Register() => ClipRecorder.Saver = Save;
+        internal static void Register()
+        {
+            ClipRecorder.Saver = Save;
+#if !UNITY_6000_1_OR_NEWER
+            if (typeof(Avatar).GetMethod("GetPostRotation", BindingFlags.Instance | BindingFlags.NonPublic) is { } getAxes)
+                HumanoidGoals.AxesOf = (avatar, bone) => (Quaternion)getAxes.Invoke(avatar, new object[] { (int)bone });
+#endif
+        }
 
         private static string Save(ClipRecorder recorder, ClipTake take)
         {
             string folder = MakeFolder(recorder.Folder);
             string character = recorder.Animator != null ? recorder.Animator.name : recorder.name;
-            string path = TakeFileName.Create(folder, recorder.FileName, character, DateTime.Now, Extension).Replace('\\', '/') + Extension;
-            AssetDatabase.CreateAsset(ClipWriter.Create(take, recorder.KeyTolerance), AssetDatabase.GenerateUniqueAssetPath(path));
-            AssetDatabase.SaveAssets();
+            string wanted = TakeFileName.Create(folder, recorder.FileName, character, DateTime.Now, Extension).Replace('\\', '/') + Extension;
+            string path = AssetDatabase.GenerateUniqueAssetPath(wanted);
+            try
+            {
+                AnimationClip clip = ClipWriter.Create(
+                    take, recorder.KeyTolerance, part => EditorUtility.DisplayProgressBar("Writing an animation clip", path, part));
+                AssetDatabase.CreateAsset(clip, path);
+                AssetDatabase.SaveAssets();
+            }
+            finally
+            {
+                EditorUtility.ClearProgressBar();
+            }
+
             Debug.Log($"Animation clip saved: {path} ({take.FrameCount} frames, {take.Length:0.0} s)", recorder);
             return path;
         }

@@ -1,4 +1,5 @@
 #nullable enable
+using System;
 using System.Collections.Generic;
 using UnityEditor;
 using UnityEngine;
@@ -20,26 +21,34 @@ namespace NeuronMocap.Unity.EditorTools
         /// <param name="keyTolerance">
         /// The error allowed when keys are removed: percent of a muscle's range, degrees or centimetres. 0 keeps all keys.
         /// </param>
+        /// <param name="progress">Receives progress, 0 to 1; may be null.</param>
         /// <returns>The clip. The caller owns it.</returns>
-        public static AnimationClip Create(ClipTake take, float keyTolerance)
+        public static AnimationClip Create(ClipTake take, float keyTolerance, Action<float>? progress = null)
         {
             var clip = new AnimationClip { frameRate = take.FrameRate };
+            var bindings = new EditorCurveBinding[take.ValueCount];
+            var curves = new AnimationCurve[take.ValueCount];
             int first = 0;
             foreach (ClipProperty property in take.Properties)
             {
+                progress?.Invoke(first / (float)take.ValueCount);
                 IReadOnlyList<int> kept = Reduce(take, property, first, keyTolerance);
                 for (int i = 0; i < property.Components.Count; i++)
                 {
-                    var binding = EditorCurveBinding.FloatCurve(
+                    bindings[first + i] = EditorCurveBinding.FloatCurve(
                         property.Path,
                         property.IsTransform ? typeof(Transform) : typeof(Animator),
                         property.Name + property.Components[i]);
-                    AnimationUtility.SetEditorCurve(clip, binding, new AnimationCurve(CreateKeys(take, first + i, kept)));
+                    curves[first + i] = new AnimationCurve(CreateKeys(take, first + i, kept));
                 }
 
                 first += property.Components.Count;
             }
 
+            progress?.Invoke(1);
+
+            // All at once, because each call compiles the whole clip.
+            AnimationUtility.SetEditorCurves(clip, bindings, curves);
             if (take.IsHumanoid)
                 KeepPlace(clip);
 

@@ -17,16 +17,16 @@ namespace NeuronMocap.Unity.EditorTools
         private readonly MocapSource _source;
         private readonly DiagnosisPanel _diagnosis = new DiagnosisPanel();
         private SourceReport? _report;
-        private SourceRecording? _recording;
-        private string _recordingText = string.Empty;
+        private SourceTake? _take;
+        private (string Text, string Problem) _takeState = (string.Empty, string.Empty);
         private ZeroOut? _zeroOut;
         private (Severity Severity, string Text) _zeroOutState;
 
         public SourcePanel(MocapSource source) => _source = source;
 
-        public bool IsDirty => _diagnosis.IsDirty || _recording?.IsRunning == true || _zeroOutState.Severity == Severity.Waiting;
+        public bool IsDirty => _diagnosis.IsDirty || _take?.IsRunning == true || _zeroOutState.Severity == Severity.Waiting;
 
-        public SourceRecording? Recording => _recording;
+        public SourceTake? Take => _take;
 
         // Beside Assets, because Unity would import files inside it.
         private static string RecordingFolder => Path.Combine(Path.GetDirectoryName(Application.dataPath) ?? string.Empty, "Recordings");
@@ -61,14 +61,15 @@ namespace NeuronMocap.Unity.EditorTools
         public void Dispose()
         {
             _diagnosis.Dispose();
-            _recording?.Dispose();
+            _take?.Dispose();
             _zeroOut?.Dispose();
         }
 
         private void Refresh()
         {
             _report = SourceReport.Of(_source, Application.isPlaying);
-            _recordingText = _recording?.Describe() ?? string.Empty;
+            _take?.Update();
+            _takeState = _take is { } take ? (take.Describe(), take.Problem) : (string.Empty, string.Empty);
             _zeroOutState = _zeroOut is { } zero ? (zero.Severity, zero.Describe()) : default;
         }
 
@@ -79,8 +80,10 @@ namespace NeuronMocap.Unity.EditorTools
                 if (GUILayout.Button("Select"))
                     Selection.activeGameObject = _source.gameObject;
 
-                bool isRecording = _recording?.IsRunning == true;
-                using (new EditorGUI.DisabledScope(_source.Reader is null || _source.Kind == SourceKind.Recording))
+                bool isRecording = _take?.IsRunning == true;
+                TakeSettings settings = TakeSettings.instance;
+                bool canRecord = _source.Reader is { } && (settings.Clips || SourceTake.FormatsOf(_source, settings) != TakeFormats.None);
+                using (new EditorGUI.DisabledScope(!isRecording && !canRecord))
                 {
                     if (GUILayout.Button(isRecording ? StopRecording : Record))
                         ToggleRecording();
@@ -93,29 +96,18 @@ namespace NeuronMocap.Unity.EditorTools
                 }
             }
 
-            ReportGui.Message(Severity.None, _recordingText);
+            ReportGui.Message(Severity.None, _takeState.Text);
+            ReportGui.Message(Severity.Error, _takeState.Problem);
             if (!string.IsNullOrEmpty(_zeroOutState.Text))
                 ReportGui.Message(_zeroOutState.Severity, _zeroOutState.Text);
         }
 
         private void ToggleRecording()
         {
-            if (_recording?.IsRunning == true)
-            {
-                _recording.Dispose();
-                return;
-            }
-
-            try
-            {
-                _recording = _source.Reader is { } reader
-                    ? SourceRecording.Start(reader, RecordingFolder, _source.name, DateTime.Now)
-                    : null;
-            }
-            catch (Exception exception) when (exception is IOException or UnauthorizedAccessException or InvalidOperationException)
-            {
-                Debug.LogError($"NeuronMocap: the recording could not start: {exception.Message}", _source);
-            }
+            if (_take?.IsRunning == true)
+                _take.Stop();
+            else
+                _take = new SourceTake(_source, TakeSettings.instance, RecordingFolder);
         }
     }
 }

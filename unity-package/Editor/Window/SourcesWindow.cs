@@ -17,6 +17,7 @@ namespace NeuronMocap.Unity.EditorTools
         private readonly SkeletonPreview _preview = new SkeletonPreview();
         private IReadOnlyList<MocapSource> _sources = Array.Empty<MocapSource>();
         private RepaintTimer? _timer;
+        private SerializedObject? _takes;
         private Vector2 _scroll;
 
         // The performer in the preview. Performers are created again when a source reopens; their number stays the same.
@@ -58,6 +59,9 @@ namespace NeuronMocap.Unity.EditorTools
         private void OnGUI()
         {
             _scroll = EditorGUILayout.BeginScrollView(_scroll);
+            if (_sources.Count > 0)
+                DrawTakeSettings();
+
             foreach (MocapSource source in _sources)
             {
                 if (source != null)
@@ -69,6 +73,22 @@ namespace NeuronMocap.Unity.EditorTools
 
             EditorGUILayout.EndScrollView();
             DrawPreview();
+        }
+
+        // What the Record buttons record.
+        private void DrawTakeSettings()
+        {
+            TakeSettings settings = TakeSettings.instance;
+            if (_takes is null || _takes.targetObject != settings)
+                _takes = new SerializedObject(settings);
+
+            _takes.Update();
+            FieldDrawing.Draw(_takes, name => name is "_clipKind" && _takes.Is("_clips", false));
+            if (_takes.ApplyModifiedProperties())
+                settings.Save();
+
+            EditorGUILayout.LabelField("Next take", settings.NextName);
+            EditorGUILayout.Space();
         }
 
         private void DrawSource(MocapSource source)

@@ -6,7 +6,8 @@ namespace NeuronMocap.Unity
     public enum ClipKind
     {
         /// <summary>
-        /// Body position and muscles, which play on every Humanoid. Muscles have limits and cannot roll fingers, so poses may differ a little.
+        /// Body position, muscles, and the goals of feet and hands, which play on every Humanoid, with and without Foot IK. Muscles have limits and
+        /// cannot roll fingers, so poses may differ a little.
         /// </summary>
         Humanoid,
 

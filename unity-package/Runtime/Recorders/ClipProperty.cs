@@ -33,9 +33,10 @@ namespace NeuronMocap.Unity
 
         public static ClipProperty Muscle(string name) => new ClipProperty("", name, Single, false);
 
-        public static ClipProperty RootPosition() => new ClipProperty("", "RootT", Vector, false);
+        // part: the root, or a foot or hand.
+        public static ClipProperty BodyPosition(string part) => new ClipProperty("", part + "T", Vector, false);
 
-        public static ClipProperty RootRotation() => new ClipProperty("", "RootQ", Rotation, false);
+        public static ClipProperty BodyRotation(string part) => new ClipProperty("", part + "Q", Rotation, false);
 
         public static ClipProperty LocalPosition(string path) => new ClipProperty(path, "m_LocalPosition", Vector, true);
 

@@ -13,7 +13,7 @@ namespace NeuronMocap.Unity
     [AddComponentMenu("NeuronMocap/Clip Recorder")]
     [HelpURL(HelpPage.Components + "#clip-recorder")]
     [DefaultExecutionOrder(1000)]
-    public sealed class ClipRecorder : MonoBehaviour
+    public sealed class ClipRecorder : TakeRecorder
     {
         // A frame that comes slightly early is taken anyway.
         private const float EarlyPart = 0.25f;
@@ -43,14 +43,6 @@ namespace NeuronMocap.Unity
         [SerializeField]
         [Tooltip("Folder below Assets where clips are saved.")]
         private string _folder = "Recordings";
-
-        [SerializeField]
-        [Tooltip("Name of the clip. {source} is the character's name; {date}, {time} and {take} (001, 002 ...) are replaced.")]
-        private string _fileName = TakeFileName.DefaultPattern;
-
-        [SerializeField]
-        [Tooltip("Start a take when play mode starts.")]
-        private bool _recordOnPlay;
 
         private ClipSampler? _sampler;
         private float _time;
@@ -107,22 +99,11 @@ namespace NeuronMocap.Unity
             set => _folder = value ?? "";
         }
 
-        /// <summary>Gets or sets the name of the clip, a pattern for <see cref="TakeFileName"/>.</summary>
-        public string FileName
-        {
-            get => _fileName;
-            set => _fileName = value ?? "";
-        }
+        /// <inheritdoc/>
+        public override bool IsRecording => _sampler is { };
 
-        /// <summary>Gets or sets whether a take starts with play mode.</summary>
-        public bool RecordOnPlay
-        {
-            get => _recordOnPlay;
-            set => _recordOnPlay = value;
-        }
-
-        /// <summary>Gets whether a take is being recorded.</summary>
-        public bool IsRecording => _sampler is { };
+        /// <inheritdoc/>
+        public override double Elapsed => Take?.Length ?? 0;
 
         /// <summary>Gets the current or last take. Null before the first take.</summary>
         public ClipTake? Take { get; private set; }
@@ -130,35 +111,8 @@ namespace NeuronMocap.Unity
         /// <summary>Gets the path of the last take's asset, such as "Assets/Recordings/Ann.anim". Empty before the first asset.</summary>
         public string SavedPath { get; private set; } = "";
 
-        /// <summary>Gets the reason why nothing is recorded or saved. Empty if there is no problem.</summary>
-        public string Problem { get; private set; } = "";
-
-        /// <summary>Starts a take.</summary>
-        /// <returns>False if it cannot start; <see cref="Problem"/> then says why.</returns>
-        [ContextMenu("Start recording")]
-        public bool StartRecording()
-        {
-            if (IsRecording)
-                return Refuse("A take is already being recorded.");
-            if (!isActiveAndEnabled)
-                return Refuse("The recorder is disabled.");
-
-            Animator? animator = _animator != null ? _animator : GetComponentInChildren<Animator>();
-            _sampler = _kind == ClipKind.Humanoid ? CreateHumanoid(animator) : CreateGeneric(animator);
-            if (_sampler is null)
-                return false;
-
-            Problem = "";
-            SavedPath = "";
-            Take = new ClipTake(_sampler.Properties, _kind == ClipKind.Humanoid, _frameRate);
-            _time = 0;
-            _nextTime = 0;
-            return true;
-        }
-
         /// <summary>Ends the take and, in the editor, saves it.</summary>
-        [ContextMenu("Stop recording")]
-        public void StopRecording()
+        public override void StopRecording()
         {
             if (_sampler is null)
                 return;
@@ -169,10 +123,18 @@ namespace NeuronMocap.Unity
             Save(Take!);
         }
 
-        private void Start()
+        private protected override string Begin()
         {
-            if (_recordOnPlay)
-                StartRecording();
+            Animator? animator = _animator != null ? _animator : GetComponentInChildren<Animator>();
+            _sampler = _kind == ClipKind.Humanoid ? CreateHumanoid(animator, out string problem) : CreateGeneric(animator, out problem);
+            if (_sampler is null)
+                return problem;
+
+            SavedPath = "";
+            Take = new ClipTake(_sampler.Properties, _kind == ClipKind.Humanoid, _frameRate);
+            _time = 0;
+            _nextTime = 0;
+            return "";
         }
 
         private void LateUpdate()
@@ -181,7 +143,7 @@ namespace NeuronMocap.Unity
                 return;
 
             if (Take.FrameCount > 0)
-                _time += Time.unscaledDeltaTime;
+                _time += Time.captureDeltaTime > 0 ? Time.deltaTime : Time.unscaledDeltaTime;
 
             float period = 1 / _frameRate;
             if (_time < _nextTime - (EarlyPart * period))
@@ -218,18 +180,17 @@ namespace NeuronMocap.Unity
             }
         }
 
-        private ClipSampler? CreateHumanoid(Animator? animator)
+        private static ClipSampler? CreateHumanoid(Animator? animator, out string problem)
         {
-            if (animator != null && animator.avatar != null && animator.isHuman)
-                return new HumanoidSampler(animator);
-
-            Refuse(animator == null
+            problem = animator == null
                 ? "This object and its children have no Animator: set Animator."
-                : $"The Animator of \"{animator.name}\" has no Humanoid avatar. In the model's import settings, tab Rig, set Animation Type to Humanoid, or set Kind to Generic.");
-            return null;
+                : animator.avatar == null || !animator.isHuman
+                ? $"The Animator of \"{animator.name}\" has no Humanoid avatar. In the model's import settings, tab Rig, set Animation Type to Humanoid, or set Kind to Generic."
+                : "";
+            return problem.Length == 0 ? new HumanoidSampler(animator!) : null;
         }
 
-        private ClipSampler? CreateGeneric(Animator? animator)
+        private ClipSampler? CreateGeneric(Animator? animator, out string problem)
         {
             Transform root = animator != null ? animator.transform : transform;
             Transform? hips = _hips;
@@ -238,21 +199,15 @@ namespace NeuronMocap.Unity
             if (hips == null && root.childCount > 0)
                 hips = root.GetChild(0);
 
-            if (hips == null || !hips.IsChildOf(root))
-            {
-                Refuse(hips == null ? "There are no bones: set Hips." : $"\"{hips.name}\" is not below \"{root.name}\": set Hips to a bone of the character.");
+            problem = hips == null ? "There are no bones: set Hips."
+                : !hips.IsChildOf(root) ? $"\"{hips.name}\" is not below \"{root.name}\": set Hips to a bone of the character."
+                : "";
+            if (problem.Length > 0)
                 return null;
-            }
 
             var bones = new List<Transform>();
-            hips.GetComponentsInChildren(true, bones);
+            hips!.GetComponentsInChildren(true, bones);
             return new GenericSampler(root, hips, bones);
-        }
-
-        private bool Refuse(string reason)
-        {
-            Problem = reason;
-            return false;
         }
     }
 }

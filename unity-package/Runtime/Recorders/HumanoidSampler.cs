@@ -7,7 +7,7 @@ using Vector3 = UnityEngine.Vector3;
 
 namespace NeuronMocap.Unity
 {
-    // Samples a humanoid's pose as body position and rotation and 95 muscles, which every other humanoid can play.
+    // Samples a humanoid's pose as body position and rotation, 95 muscles, and the goals of feet and hands. Every other humanoid can play them.
     internal sealed class HumanoidSampler : ClipSampler
     {
         private static readonly string[] Fingers = { "Thumb", "Index", "Middle", "Ring", "Little" };
@@ -16,11 +16,18 @@ namespace NeuronMocap.Unity
         private readonly float _scale;
         private readonly HumanPoseHandler _handler;
         private readonly bool _isInWorld;
+        private readonly HumanoidGoals? _goals;
         private HumanPose _pose;
 
         public HumanoidSampler(Animator animator)
-            : base(CreateProperties())
+            : this(animator, HumanoidGoals.Create(animator))
         {
+        }
+
+        private HumanoidSampler(Animator animator, HumanoidGoals? goals)
+            : base(CreateProperties(hasGoals: goals is { }))
+        {
+            _goals = goals;
             _root = animator.transform;
             _scale = animator.humanScale > 0 ? animator.humanScale : 1;
             _handler = new HumanPoseHandler(animator.avatar!, _root);
@@ -53,22 +60,37 @@ namespace NeuronMocap.Unity
             Quaternion rotation = _pose.bodyRotation;
             if (_isInWorld)
             {
-                var back = Quaternion.Inverse(_root.rotation);
-                position = back * (position - (_root.position / _scale));
-                rotation = back * rotation;
+                position = _root.InverseTransformPoint(position * _scale) / _scale;
+                rotation = Quaternion.Inverse(_root.rotation) * rotation;
             }
 
             Put(position);
             Put(rotation);
             foreach (float muscle in _pose.muscles)
                 Put(muscle);
+
+            if (_goals is null)
+                return;
+
+            _goals.Read(_pose, position * _scale, rotation);
+            for (int i = 0; i < HumanoidGoals.Names.Length; i++)
+            {
+                Put(_goals.Positions[i]);
+                Put(_goals.Rotations[i]);
+            }
         }
 
-        private static IReadOnlyList<ClipProperty> CreateProperties()
+        private static IReadOnlyList<ClipProperty> CreateProperties(bool hasGoals)
         {
-            var properties = new List<ClipProperty> { ClipProperty.RootPosition(), ClipProperty.RootRotation() };
+            var properties = new List<ClipProperty> { ClipProperty.BodyPosition("Root"), ClipProperty.BodyRotation("Root") };
             foreach (string muscle in HumanTrait.MuscleName)
                 properties.Add(ClipProperty.Muscle(GetPropertyName(muscle)));
+
+            for (int i = 0; hasGoals && i < HumanoidGoals.Names.Length; i++)
+            {
+                properties.Add(ClipProperty.BodyPosition(HumanoidGoals.Names[i]));
+                properties.Add(ClipProperty.BodyRotation(HumanoidGoals.Names[i]));
+            }
 
             return properties;
         }

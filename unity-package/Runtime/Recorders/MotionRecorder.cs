@@ -14,7 +14,7 @@ namespace NeuronMocap.Unity
     /// </summary>
     [AddComponentMenu("NeuronMocap/Motion Recorder")]
     [HelpURL(HelpPage.Components + "#motion-recorder")]
-    public sealed class MotionRecorder : MonoBehaviour
+    public sealed class MotionRecorder : TakeRecorder
     {
         // Files are usually complete much earlier, unless the disk is very slow. An incomplete file can still be opened.
         private static readonly TimeSpan LongestWaitAtQuit = TimeSpan.FromMilliseconds(100);
@@ -32,10 +32,6 @@ namespace NeuronMocap.Unity
         private string _folder = "";
 
         [SerializeField]
-        [Tooltip("Name of the files without extension. {source}, {date}, {time} and {take} (001, 002 ...) are replaced.")]
-        private string _fileName = TakeFileName.DefaultPattern;
-
-        [SerializeField]
         [Tooltip("Write a BVH file for each performer. Off: for one performer only.")]
         private bool _allPerformers = true;
 
@@ -43,10 +39,6 @@ namespace NeuronMocap.Unity
         [Min(0)]
         [Tooltip("Number on the server of the performer to export to BVH, unless all are exported.")]
         private int _avatarIndex;
-
-        [SerializeField]
-        [Tooltip("Start a take when play mode, or the scene, starts.")]
-        private bool _recordOnPlay;
 
         private readonly Stopwatch _elapsed = new Stopwatch();
         private TakeWriter? _take;
@@ -85,13 +77,6 @@ namespace NeuronMocap.Unity
             set => _folder = value ?? "";
         }
 
-        /// <summary>Gets or sets the name of the next take's files, a pattern for <see cref="TakeFileName"/>.</summary>
-        public string FileName
-        {
-            get => _fileName;
-            set => _fileName = value ?? "";
-        }
-
         /// <summary>Gets or sets whether every performer gets a BVH file.</summary>
         public bool AllPerformers
         {
@@ -106,20 +91,16 @@ namespace NeuronMocap.Unity
             set => _avatarIndex = Mathf.Max(0, value);
         }
 
-        /// <summary>Gets or sets whether a take starts with play mode, or with the scene.</summary>
-        public bool RecordOnPlay
-        {
-            get => _recordOnPlay;
-            set => _recordOnPlay = value;
-        }
-
         /// <summary>Gets what the recorder does.</summary>
         public RecorderState State => _take is null
             ? _isWaiting ? RecorderState.Waiting : RecorderState.Idle
             : _elapsed.IsRunning ? RecorderState.Recording : RecorderState.Finishing;
 
-        /// <summary>Gets the duration of the current or last take, in seconds.</summary>
-        public double Elapsed => _elapsed.Elapsed.TotalSeconds;
+        /// <inheritdoc/>
+        public override bool IsRecording => State == RecorderState.Recording || State == RecorderState.Waiting;
+
+        /// <inheritdoc/>
+        public override double Elapsed => _elapsed.Elapsed.TotalSeconds;
 
         /// <summary>
         /// Gets the number of frames in the current or last take: rows of its BVH files, or frames received while it was recorded. At most a quarter
@@ -133,44 +114,26 @@ namespace NeuronMocap.Unity
         /// <summary>Gets the full paths of the current or last take's files.</summary>
         public IReadOnlyList<string> Files { get; private set; } = Array.Empty<string>();
 
-        /// <summary>Gets the reason why nothing, or not everything, is recorded. Empty if there is no problem.</summary>
-        public string Problem { get; private set; } = "";
-
-        /// <summary>
-        /// Starts a take. If the source is not open yet, the take waits for it.
-        /// </summary>
-        /// <returns>False if it cannot start; <see cref="Problem"/> then says why.</returns>
-        [ContextMenu("Start recording")]
-        public bool StartRecording()
-        {
-            if (State != RecorderState.Idle)
-                return Refuse(State == RecorderState.Finishing ? "The last take is still being completed." : "A take is already being recorded.");
-            if (!isActiveAndEnabled)
-                return Refuse("The recorder is disabled.");
-            if (_source == null)
-                return Refuse("The recorder has no source: set Source.");
-            if ((_formats & (TakeFormats.Bvh | TakeFormats.Recording)) == TakeFormats.None)
-                return Refuse("There is nothing to write: set Formats.");
-
-            Problem = "";
-            _isWaiting = true;
-            BeginWhenOpen();
-            return true;
-        }
-
         /// <summary>Ends the take. Its files are complete a moment later; see <see cref="Finished"/>.</summary>
-        [ContextMenu("Stop recording")]
-        public void StopRecording()
+        public override void StopRecording()
         {
             _isWaiting = false;
             _elapsed.Stop();
             _take?.Close();
         }
 
-        private void Start()
+        private protected override string Begin()
         {
-            if (_recordOnPlay)
-                StartRecording();
+            if (State == RecorderState.Finishing)
+                return "The last take is still being completed.";
+            if (_source == null)
+                return "The recorder has no source: set Source.";
+            if ((_formats & (TakeFormats.Bvh | TakeFormats.Recording)) == TakeFormats.None)
+                return "There is nothing to write: set Formats.";
+
+            _isWaiting = true;
+            BeginWhenOpen();
+            return "";
         }
 
         private void Update()
@@ -198,7 +161,7 @@ namespace NeuronMocap.Unity
 
         private void OnDisable()
         {
-            if (State == RecorderState.Waiting || State == RecorderState.Recording)
+            if (IsRecording)
                 StopRecording();
         }
 
@@ -225,7 +188,7 @@ namespace NeuronMocap.Unity
             Bytes = 0;
             Files = Array.Empty<string>();
             string folder = Path.Combine(Application.persistentDataPath, _folder);
-            string pattern = _fileName;
+            string pattern = FileName;
             string label = _source.name;
             DateTime now = DateTime.Now;
             _take = new TakeWriter(
@@ -239,12 +202,6 @@ namespace NeuronMocap.Unity
         {
             _take = null;
             Finished?.Invoke(Files);
-        }
-
-        private bool Refuse(string reason)
-        {
-            Problem = reason;
-            return false;
         }
     }
 }

@@ -109,11 +109,14 @@ namespace NeuronMocap.Unity
             if (frame.Layout.HasDisplacement)
                 LearnBody(pose, variant, reported);
 
-            Interlocked.Increment(ref _frames);
+            long number = Interlocked.Increment(ref _frames);
             double seconds = SourceClock.ToSeconds(frame.Timestamp);
             foreach (PoseBuffer buffer in _buffers)
-                buffer.Push(pose, seconds, frame.FrameIndex);
+                buffer.Push(pose, seconds, frame.FrameIndex, number);
         }
+
+        // The contacts belong to the newest frame: a server sends both together. Receive thread.
+        public void TakeContacts(FootContacts contacts) => Contacts.Add(Frames, contacts);
 
         private static long Pack(Timecode? timecode) => timecode is { } time
             ? ((long)time.Hours << 48) | ((long)time.Minutes << 40) | ((long)time.Seconds << 32) | (uint)time.Frames

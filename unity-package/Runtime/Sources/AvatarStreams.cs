@@ -35,7 +35,7 @@ namespace NeuronMocap.Unity
         public void OnCalculation(CalculationFrame frame)
         {
             if (frame.BoneCount > 0)
-                Find(frame.Sender, frame.AvatarIndex)?.Contacts.Add(frame.Timestamp, frame.FootContacts);
+                Find(frame.Sender, frame.AvatarIndex)?.TakeContacts(frame.FootContacts);
         }
 
         private AvatarStream? Find(int sender, int avatarIndex)

@@ -4,9 +4,9 @@ using System.Threading;
 
 namespace NeuronMocap.Unity
 {
-    // Recent foot contacts from calculation frames, kept because poses are shown with a delay. The receive thread writes, the main thread reads. An
-    // entry is one 64-bit number with time and both feet, so reads are never torn. If an entry is overwritten during a read, the reader gets a newer
-    // entry.
+    // Recent foot contacts from calculation frames, kept because poses are shown with a delay. They belong to motion frames, by number. Arrival times
+    // would not do: after a stall many frames arrive at once, but they are shown one after another. The receive thread writes, the main thread reads. An
+    // entry is one 64-bit number with frame and both feet, so reads are never torn.
     internal sealed class ContactHistory
     {
         private const int Left = 1;
@@ -16,27 +16,30 @@ namespace NeuronMocap.Unity
         private readonly long[] _entries = new long[256];
         private int _next;
 
-        // timestamp: Stopwatch ticks. Two bits less are still enough for centuries.
-        public void Add(long timestamp, FootContacts contacts)
+        // frame: the number of the motion frame, from 1.
+        public void Add(long frame, FootContacts contacts)
         {
             long flags = (contacts.Left ? Left : 0) | (contacts.Right ? Right : 0);
-            Interlocked.Exchange(ref _entries[_next], (timestamp << FlagBits) | flags);
-            _next = (_next + 1) % _entries.Length;
+            int place = _next;
+            Interlocked.Exchange(ref _entries[place], (frame << FlagBits) | flags);
+            Volatile.Write(ref _next, (place + 1) % _entries.Length);
         }
 
-        // The newest entry within the given times, or null.
-        public FootContacts? Find(long earliest, long latest)
+        // The contacts of the last frame within a range, or null.
+        public FootContacts? Find(long first, long last)
         {
-            long found = 0;
-            for (int i = 0; i < _entries.Length; i++)
+            int next = Volatile.Read(ref _next);
+            for (int i = 1; i <= _entries.Length; i++)
             {
-                long entry = Interlocked.Read(ref _entries[i]);
-                long timestamp = entry >> FlagBits;
-                if (entry > found && timestamp >= earliest && timestamp <= latest)
-                    found = entry;
+                long entry = Interlocked.Read(ref _entries[(next + _entries.Length - i) % _entries.Length]);
+                long frame = entry >> FlagBits;
+                if (frame < first || frame == 0)
+                    return null;
+                if (frame <= last)
+                    return new FootContacts((entry & Left) != 0, (entry & Right) != 0);
             }
 
-            return found == 0 ? (FootContacts?)null : new FootContacts((found & Left) != 0, (found & Right) != 0);
+            return null;
         }
     }
 }

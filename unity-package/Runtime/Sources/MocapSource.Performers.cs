@@ -79,7 +79,7 @@ namespace NeuronMocap.Unity
 
         private void TakePerformers(SourceConnection connection)
         {
-            long now = SourceClock.Now;
+            long now = connection.Advance();
             AvatarStream[] streams = connection.Streams.All;
             for (int i = 0; i < streams.Length && _connection == connection; i++)
             {

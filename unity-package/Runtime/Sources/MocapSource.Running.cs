@@ -190,17 +190,16 @@ namespace NeuronMocap.Unity
                 return;
 
             _status = status;
-            Report(ToState(connection, status), StatusText.Of(connection, status));
+            Report(ToState(status), StatusText.Of(connection, status));
         }
 
-        private static SourceState ToState(SourceConnection connection, in ConnectionStatus status) => status.State switch
+        private static SourceState ToState(in ConnectionStatus status) => status.State switch
         {
             ConnectionState.Connected => SourceState.Connected,
             ConnectionState.Receiving => SourceState.Receiving,
             ConnectionState.Silent => SourceState.Silent,
             ConnectionState.Waiting => SourceState.Waiting,
             ConnectionState.Stopped when status.Reason == ConnectionReason.EndOfRecording => SourceState.Ended,
-            ConnectionState.Stopped when status.Reason == ConnectionReason.ClosedByPeer && connection.Settings.Kind == SourceKind.BvhFile => SourceState.Ended,
             ConnectionState.Stopped when status.Reason == ConnectionReason.Requested => SourceState.Closed,
             ConnectionState.Stopped => SourceState.Failed,
             _ => SourceState.Connecting,
@@ -260,7 +259,6 @@ namespace NeuronMocap.Unity
                 // A BVH file defines its own order; raw bytes do not.
                 RotationOrder = isBvh ? null : _rotationOrder.ToOrder(),
                 Variant = isBvh ? null : _skeletonVariant.ToVariant(),
-                Reconnect = isBvh && _loop,
             };
         }
     }

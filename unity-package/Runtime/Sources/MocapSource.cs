@@ -98,7 +98,7 @@ namespace NeuronMocap.Unity
         [SerializeField]
         private bool _loop = true;
 
-        [Tooltip("Playback speed; 1 is the recorded speed. A change restarts the file.")]
+        [Tooltip("Playback speed; 1 is the recorded speed. Files follow the time of the game, so they stop and slow down with it. A change restarts the file.")]
         [Range(0.1f, 10)]
         [SerializeField]
         private float _speed = 1;

@@ -14,7 +14,7 @@ namespace NeuronMocap.Unity
     /// </summary>
     public sealed class Performer
     {
-        // The maximum age of a calculation frame whose contacts are used, in seconds.
+        // The maximum age of contacts that are used, in seconds of motion.
         private const double OldestContacts = 0.3;
 
         // Later than any frame, so that the buffer returns the newest one.
@@ -168,7 +168,7 @@ namespace NeuronMocap.Unity
             HasPose = true;
             StreamedHips = _local[0];
             ForwardKinematics.ToWorld(_local, _world, Body.Variant);
-            UpdateContacts(now);
+            UpdateContacts();
             if (_placement.TryApply(_local))
                 ForwardKinematics.ToWorld(_local, _world, Body.Variant);
         }
@@ -203,10 +203,11 @@ namespace NeuronMocap.Unity
             _stream.Attach(_buffer);
         }
 
-        private void UpdateContacts(long now)
+        private void UpdateContacts()
         {
-            long shown = now - SourceClock.ToTicks(_sampling.Delay);
-            FootContacts? measured = _stream.Contacts.Find(shown - SourceClock.ToTicks(OldestContacts), shown);
+            long shown = _buffer.SampledTag;
+            long oldest = shown - (_buffer.FrameInterval > 0 ? (long)(OldestContacts / _buffer.FrameInterval) : 0);
+            FootContacts? measured = _stream.Contacts.Find(oldest, shown);
             HasMeasuredContacts = measured != null;
 
             // If the newest frame is shown again, every foot seems to stand still.

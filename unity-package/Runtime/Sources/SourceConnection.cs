@@ -14,6 +14,7 @@ namespace NeuronMocap.Unity
     {
         private readonly object _gate = new object();
         private readonly Task _opening;
+        private readonly GameClock? _game;
         private NeuronReader? _reader;
         private Broadcaster? _broadcaster;
         private RecordingPlayer? _player;
@@ -24,6 +25,7 @@ namespace NeuronMocap.Unity
         public SourceConnection(SourceSettings settings)
         {
             Settings = settings;
+            _game = settings.IsFile ? new GameClock() : null;
 
             // Only the main thread may use Unity's objects.
             byte[]? bytes = settings.Asset != null ? settings.Asset.bytes : null;
@@ -46,12 +48,13 @@ namespace NeuronMocap.Unity
             }
         }
 
+        // Only for recordings: the player of a BVH file may never end.
         public RecordingPlayer? Player
         {
             get
             {
                 lock (_gate)
-                    return _player;
+                    return Settings.Kind == SourceKind.Recording ? _player : null;
             }
         }
 
@@ -73,6 +76,19 @@ namespace NeuronMocap.Unity
                 lock (_gate)
                     return _broadcaster?.LocalEndPoint?.Port ?? 0;
             }
+        }
+
+        // Main thread, in each Update. Returns the time of this rendered frame, on the clock that stamps the frames of the stream.
+        public long Advance()
+        {
+            if (_game is null)
+                return SourceClock.Now;
+
+            RecordingPlayer? player;
+            lock (_gate)
+                player = _player;
+
+            return _game.Advance(player);
         }
 
         // Closes sockets and files at once, without waiting. The task ends when all threads have ended.
@@ -112,8 +128,8 @@ namespace NeuronMocap.Unity
         private (Broadcaster? Broadcaster, RecordingPlayer? Player) CreateFeed(byte[]? bytes) => Settings.Kind switch
         {
             SourceKind.Simulator => (SourceFeeds.CreateSimulator(Settings), null),
-            SourceKind.BvhFile => (SourceFeeds.CreateTake(Settings, bytes), null),
-            SourceKind.Recording => (null, SourceFeeds.OpenRecording(Settings)),
+            SourceKind.BvhFile => (null, SourceFeeds.OpenTake(Settings, bytes, _game!.Clock)),
+            SourceKind.Recording => (null, SourceFeeds.OpenRecording(Settings, _game!.Clock)),
             _ => (null, null),
         };
 

@@ -8,8 +8,8 @@ using NeuronMocap.Server;
 
 namespace NeuronMocap.Unity
 {
-    // Creates what a connection receives from, for all kinds except the network: a player of a recording, or a broadcaster on a loopback port chosen
-    // by the system. Simulated data thus takes the same path as data of a suit. Any thread; reading a file may take long.
+    // Creates what a connection receives from, for all kinds except the network: a player of a file, or a broadcaster on a loopback port chosen by
+    // the system. Simulated data thus takes the same path as data of a suit. Any thread; reading a file may take long.
     internal static class SourceFeeds
     {
         public static Broadcaster CreateSimulator(SourceSettings settings)
@@ -21,22 +21,20 @@ namespace NeuronMocap.Unity
             return Start(new BroadcasterOptions { Sources = performers });
         }
 
-        public static Broadcaster CreateTake(SourceSettings settings, byte[]? bytes)
+        // A loop has no end, so that its performer stays connected.
+        public static RecordingPlayer OpenTake(SourceSettings settings, byte[]? bytes, ManualClock clock)
         {
             BvhDocument document = bytes != null ? BvhDocument.Parse(bytes) : BvhDocument.Load(settings.File);
             MotionSource take = new BvhSource(document);
-            return Start(new BroadcasterOptions
-            {
-                Sources = new[] { settings.Loop ? new LoopedSource(take) : take },
-                AvatarNames = new[] { settings.Name },
-                FrameRate = take.FrameRate * settings.Speed,
-                WaitForClient = true,
-            });
+            RecordingPlayer player = MotionPlayer.Create(
+                settings.Loop ? new LoopedSource(take) : take, settings.Name, new PlaybackOptions { Clock = clock });
+            player.Speed = settings.Speed;
+            return player;
         }
 
-        public static RecordingPlayer OpenRecording(SourceSettings settings)
+        public static RecordingPlayer OpenRecording(SourceSettings settings, ManualClock clock)
         {
-            RecordingPlayer player = RecordingPlayer.Open(settings.File);
+            RecordingPlayer player = RecordingPlayer.Open(settings.File, new PlaybackOptions { Clock = clock });
             player.Speed = settings.Speed;
             player.Passes = settings.Loop ? RecordingPlayer.Endless : 1;
             return player;

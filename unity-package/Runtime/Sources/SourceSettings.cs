@@ -46,6 +46,8 @@ namespace NeuronMocap.Unity
 
         public float Speed { get; set; }
 
+        public bool IsFile => Kind is SourceKind.BvhFile or SourceKind.Recording;
+
         // The name used in messages.
         public string Target => Kind switch
         {

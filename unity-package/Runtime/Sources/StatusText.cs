@@ -32,11 +32,12 @@ namespace NeuronMocap.Unity
             SourceSettings settings = connection.Settings;
             switch (settings.Kind)
             {
-                case SourceKind.Recording when status.Reason == ConnectionReason.EndOfRecording && status.State == ConnectionState.Stopped:
-                case SourceKind.BvhFile when status.Reason == ConnectionReason.ClosedByPeer:
-                    return $"The {settings.Target} has ended. Switch Loop on to repeat it.";
-                case SourceKind.Simulator:
+                case SourceKind.Recording:
                 case SourceKind.BvhFile:
+                    return status.Reason == ConnectionReason.EndOfRecording && status.State == ConnectionState.Stopped
+                        ? $"The {settings.Target} has ended. Switch Loop on to repeat it."
+                        : WithFields(status.Message).Replace($"motion {settings.Name}", settings.Target);
+                case SourceKind.Simulator:
                     return Capitalise(WithFields(status.Message).Replace($"127.0.0.1:{connection.LocalPort}", settings.Target));
                 default:
                     return WithFields(status.Message);

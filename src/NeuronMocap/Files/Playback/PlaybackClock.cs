@@ -4,9 +4,9 @@ namespace NeuronMocap.Recording;
 
 // Tracks the position of a playback and computes when a recorded time is due. Due times are computed from the position and instant at which the
 // clock was last set. Rounding errors and late wake-ups therefore never add up. Instants are Stopwatch ticks. Not thread-safe.
-internal sealed class PlaybackClock
+internal sealed class PlaybackClock(bool catchesUp = false)
 {
-    // After a longer delay, by a handler or because the computer slept, the missed time is not caught up.
+    // After a longer delay, by a handler or because the computer slept, the missed time is not caught up, unless the program moves the clock itself.
     private static readonly long MostBehind = Stopwatch.Frequency;
 
     private TimeSpan _position;
@@ -64,7 +64,7 @@ internal sealed class PlaybackClock
     // playback moves them ahead of real time, and they stay ahead.
     public long Reach(TimeSpan time, long now)
     {
-        if (IsPaced && now - DueAt(time) > MostBehind)
+        if (IsPaced && !catchesUp && now - DueAt(time) > MostBehind)
             MoveTo(time, now);
 
         _reached = time;

@@ -1,3 +1,5 @@
+using System.Diagnostics;
+
 namespace NeuronMocap.Recording;
 
 // Connects the callers that control a playback with its thread: it decides what is played next, and when. Any thread may call it; only the
@@ -7,7 +9,7 @@ internal sealed class PlaybackControl(PlaybackTime time, TimeSpan duration)
     public const int Endless = int.MaxValue;
 
     private readonly object _lock = new();
-    private readonly PlaybackClock _clock = new();
+    private readonly PlaybackClock _clock = new(catchesUp: time is ManualTime);
     private TimeSpan? _seek;
     private int _steps;
     private int _stepsBack;
@@ -18,6 +20,10 @@ internal sealed class PlaybackControl(PlaybackTime time, TimeSpan duration)
     private int _pass = 1;
     private bool _isPaused;
     private volatile bool _hasEnded;
+
+    // Whether a link plays, and when the event is due for which it waits.
+    private bool _isPlaying;
+    private long _awaited;
 
     public TimeSpan Position
     {
@@ -102,6 +108,45 @@ internal sealed class PlaybackControl(PlaybackTime time, TimeSpan duration)
     // Any thread. Whether the playback has ended.
     public bool HasEnded => _hasEnded;
 
+    // Called when a manual clock has moved.
+    public void FollowClock()
+    {
+        lock (_lock)
+        {
+            if (_awaited <= time.Now)
+                Monitor.PulseAll(_lock);
+        }
+    }
+
+    // Any thread except the playback's.
+    public bool WaitUntilDelivered(TimeSpan timeout)
+    {
+        long end = Stopwatch.GetTimestamp() + (long)(timeout.TotalSeconds * Stopwatch.Frequency);
+        lock (_lock)
+        {
+            while (_isPlaying && !_isPaused && !_hasEnded && _clock.IsPaced && _awaited <= time.Now)
+            {
+                double rest = (end - Stopwatch.GetTimestamp()) * 1000.0 / Stopwatch.Frequency;
+                if (rest <= 0)
+                    return false;
+
+                Monitor.Wait(_lock, (int)Math.Ceiling(Math.Min(rest, int.MaxValue / 2)));
+            }
+
+            return true;
+        }
+    }
+
+    // Playback thread. No further link follows.
+    public void Leave()
+    {
+        lock (_lock)
+        {
+            _isPlaying = false;
+            Monitor.PulseAll(_lock);
+        }
+    }
+
     // Called when a link was closed.
     public void Wake() => Change(static () => { });
 
@@ -113,6 +158,7 @@ internal sealed class PlaybackControl(PlaybackTime time, TimeSpan duration)
         timestamp = 0;
         lock (_lock)
         {
+            _isPlaying = true;
             while (true)
             {
                 if (cancellationToken.IsCancellationRequested || _hasEnded)
@@ -135,6 +181,8 @@ internal sealed class PlaybackControl(PlaybackTime time, TimeSpan duration)
                     _clock.Run(now);
                 if (_clock.IsPaced && _clock.DueAt(instant) is var due && due > now)
                 {
+                    _awaited = due;
+                    Monitor.PulseAll(_lock);
                     time.Wait(_lock, due);
                     continue;
                 }
@@ -218,6 +266,7 @@ internal sealed class PlaybackControl(PlaybackTime time, TimeSpan duration)
         lock (_lock)
         {
             change();
+            _awaited = long.MinValue;
             Monitor.PulseAll(_lock);
         }
     }

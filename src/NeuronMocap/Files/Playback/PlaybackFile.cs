@@ -12,7 +12,7 @@ internal sealed class PlaybackFile(RecordedEventSource source)
     public RecordedEventSource Source => source;
 
     // The name in status messages.
-    public string Target => $"recording {source.FileName}";
+    public string Target => source.Target;
 
     public bool IsClosed
     {

@@ -33,6 +33,12 @@ public sealed class PlaybackOptions
     /// </summary>
     public int? MaxValues { get; set; }
 
+    /// <summary>
+    /// The clock that the playback follows. Null, the default, follows real time. Frames are due, and have their timestamps, on this clock.
+    /// </summary>
+    /// <remarks><see cref="RecordingPlayer.Speed"/> applies, too. At <see cref="RecordingPlayer.MaxSpeed"/> the clock has no effect.</remarks>
+    public ManualClock? Clock { get; set; }
+
     internal static PlaybackOptions CopyChecked(PlaybackOptions? options)
     {
         options ??= new PlaybackOptions();

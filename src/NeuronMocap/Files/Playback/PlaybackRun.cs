@@ -17,14 +17,14 @@ internal sealed class PlaybackRun(PlaybackFile file, PlaybackControl control, Pl
     public string Target => file.Target;
 
     // Waits until a connection is open.
-    public LinkEnd Open(CancellationToken cancellationToken) => file.Use(() =>
+    public LinkEnd Open(CancellationToken cancellationToken) => Use(() =>
     {
         _cancellationToken = cancellationToken;
         return Open();
     });
 
     // Plays until the connection ends.
-    public LinkEnd Receive(IPacketReceiver receiver, ILinkListener? listener, CancellationToken cancellationToken) => file.Use(() =>
+    public LinkEnd Receive(IPacketReceiver receiver, ILinkListener? listener, CancellationToken cancellationToken) => Use(() =>
     {
         _cancellationToken = cancellationToken;
         _listener = listener;
@@ -34,6 +34,15 @@ internal sealed class PlaybackRun(PlaybackFile file, PlaybackControl control, Pl
 
     // Any thread. Called when a link was closed.
     public void Wake() => control.Wake();
+
+    private LinkEnd Use(Func<LinkEnd> action)
+    {
+        LinkEnd end = file.Use(action);
+        if (end.IsFinal || IsStopped())
+            control.Leave();
+
+        return end;
+    }
 
     private LinkEnd Open()
     {

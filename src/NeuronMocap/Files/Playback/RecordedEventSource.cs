@@ -11,6 +11,12 @@ internal abstract class RecordedEventSource(string path) : IDisposable
 
     public string FilePath => path;
 
+    // The name in status messages.
+    public virtual string Target => $"recording {FileName}";
+
+    // What defines the format, in status messages.
+    public virtual string Origin => "the recording";
+
     // The time of the end, never before the last event.
     public abstract TimeSpan Duration { get; }
 
@@ -44,7 +50,7 @@ internal abstract class RecordedEventSource(string path) : IDisposable
 
     public FrameFormat CreateFormat(RotationOrder? order, SkeletonVariant? variant)
     {
-        var format = new FrameFormat(order, variant) { FormatOrigin = "the recording" };
+        var format = new FrameFormat(order, variant) { FormatOrigin = Origin };
         format.Learn(RotationOrder, SkeletonVariant);
         return format;
     }

@@ -46,8 +46,10 @@ public sealed class RecordingPlayer : IDisposable
     {
         _source = source;
         _file = new PlaybackFile(source);
-        _control = new PlaybackControl(time ?? PlaybackTime.Real, source.Duration);
+        _control = new PlaybackControl(time ?? (options.Clock is { } clock ? new ManualTime(clock) : PlaybackTime.Real), source.Duration);
         Options = options;
+        if (options.Clock is { } moved)
+            moved.Moved += _control.FollowClock;
     }
 
     /// <summary>Occurs when the last pass has ended, on the playback's thread, before the reader's status changes.</summary>
@@ -115,6 +117,9 @@ public sealed class RecordingPlayer : IDisposable
         set => _waitsForQueues = value;
     }
 
+    // Whether the time without frames says nothing about the recording.
+    internal bool IsHeld => IsPaused || Options.Clock is not null;
+
     // The name in status messages.
     internal string Target => _file.Target;
 
@@ -172,11 +177,24 @@ public sealed class RecordingPlayer : IDisposable
     public void Seek(TimeSpan position) =>
         _control.Seek(position < TimeSpan.Zero ? TimeSpan.Zero : position < Duration ? position : Duration);
 
+    /// <summary>
+    /// Waits until all frames that are due have been delivered, for example after <see cref="ManualClock.MoveTo"/>. Handlers have then returned.
+    /// </summary>
+    /// <remarks>
+    /// It returns at once while no reader plays the file, while the playback is paused, and at <see cref="MaxSpeed"/>. Do not call it from a handler of
+    /// the reader. It does not allocate memory.
+    /// </remarks>
+    /// <param name="timeout">The longest wait.</param>
+    /// <returns>False if the time was not enough.</returns>
+    public bool WaitUntilDelivered(TimeSpan timeout) => _control.WaitUntilDelivered(timeout);
+
     /// <summary>Closes the file. If the reader is running, it stops within milliseconds, even while the playback waits.</summary>
     public void Dispose()
     {
         _file.Close();
         _control.End();
+        if (Options.Clock is { } clock)
+            clock.Moved -= _control.FollowClock;
     }
 
     // Called once. Returns the factory of the reader's links.

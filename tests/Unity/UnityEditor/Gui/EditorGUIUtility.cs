@@ -8,7 +8,8 @@ public static class EditorGUIUtility
 
     public static float singleLineHeight => 18;
 
-    public static void PingObject(UnityEngine.Object obj)
-    {
-    }
+    /// <summary>For tests: the object shown last in the project window or the hierarchy.</summary>
+    public static UnityEngine.Object? Pinged { get; set; }
+
+    public static void PingObject(UnityEngine.Object? obj) => Pinged = obj;
 }

@@ -56,9 +56,9 @@ public class Animator : Behaviour
         set => transform.rotation = value;
     }
 
-    public float leftFeetBottomHeight => 0.08f;
+    public float leftFeetBottomHeight => LimbGoals.FootHeight;
 
-    public float rightFeetBottomHeight => 0.08f;
+    public float rightFeetBottomHeight => LimbGoals.FootHeight;
 
     /// <summary>
     /// The work of a controller: it writes everything that it animates. It runs between Update and LateUpdate, or after each FixedUpdate

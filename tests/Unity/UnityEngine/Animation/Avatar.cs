@@ -18,4 +18,9 @@ public class Avatar : Object
     public bool isHuman { get; }
 
     public HumanDescription humanDescription { get; }
+
+    internal Quaternion[] PostRotations { get; set; } = [];
+
+    /// <summary>Internal in Unity too, where tools find it by reflection.</summary>
+    internal Quaternion GetPostRotation(int humanId) => PostRotations[humanId];
 }

@@ -13,7 +13,11 @@ public class AvatarBuilder
             Debug.LogError($"AvatarBuilder '{go.name}': {fault}");
 
         bool isValid = faults.Count == 0;
-        return new Avatar(isValid, isValid, humanDescription) { name = go.name + "Avatar" };
+        return new Avatar(isValid, isValid, humanDescription)
+        {
+            name = go.name + "Avatar",
+            PostRotations = isValid ? LimbGoals.FindPostRotations(go.transform, humanDescription) : [],
+        };
     }
 
     public static Avatar BuildGenericAvatar(GameObject go, string rootMotionTransformName) => new(true, false, default) { name = go.name };

@@ -7,6 +7,7 @@ public static class Time
     private static double _now;
     private static double _unscaled;
     private static float _delta;
+    private static float _unscaledDelta;
     private static float _fixedDelta = 0.02f;
     private static int _frame;
 
@@ -24,7 +25,7 @@ public static class Time
 
     public static float deltaTime => (float)Main(_delta * timeScale);
 
-    public static float unscaledDeltaTime => (float)Main(_delta);
+    public static float unscaledDeltaTime => (float)Main(_unscaledDelta);
 
     public static float smoothDeltaTime => deltaTime;
 
@@ -42,22 +43,32 @@ public static class Time
 
     public static float maximumDeltaTime { get; set; } = 1 / 3f;
 
+    /// <summary>Above 0, each frame lasts so many seconds of the game, whatever its real duration.</summary>
+    public static float captureDeltaTime { get; set; }
+
+    public static int captureFramerate
+    {
+        get => captureDeltaTime > 0 ? Mathf.RoundToInt(1 / captureDeltaTime) : 0;
+        set => captureDeltaTime = value > 0 ? 1f / value : 0;
+    }
+
     public static int frameCount => (int)Main(_frame);
 
     public static int renderedFrameCount => frameCount;
 
     internal static void Advance(float seconds)
     {
-        _delta = seconds;
-        _now += seconds * timeScale;
+        _delta = captureDeltaTime > 0 ? captureDeltaTime : Math.Min(seconds, maximumDeltaTime);
+        _unscaledDelta = seconds;
+        _now += _delta * timeScale;
         _unscaled += seconds;
         _frame++;
     }
 
     internal static void Restart()
     {
-        (_now, _unscaled, _delta, _frame) = (0, 0, 0, 0);
-        timeScale = 1;
+        (_now, _unscaled, _delta, _unscaledDelta, _frame) = (0, 0, 0, 0, 0);
+        (timeScale, maximumDeltaTime, captureDeltaTime) = (1, 1 / 3f, 0);
         _fixedDelta = 0.02f;
     }
 

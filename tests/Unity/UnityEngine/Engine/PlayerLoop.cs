@@ -50,7 +50,7 @@ internal sealed class PlayerLoop : IDisposable
             if (SceneManager.Requested is { } scene)
                 SceneManager.Change(scene, null);
 
-            RunPhases(seconds);
+            RunPhases();
         }
         finally
         {
@@ -149,6 +149,7 @@ internal sealed class PlayerLoop : IDisposable
         CharacterController.Clear();
         Resources.Assets.Clear();
         Time.Restart();
+        HumanPoseHandler.BodyIsInWorld = false;
     }
 
     private static void Run(MonoBehaviour script, Action? callback)
@@ -162,10 +163,10 @@ internal sealed class PlayerLoop : IDisposable
             ScriptCallbacks.Run(callback, script);
     }
 
-    private void RunPhases(float seconds)
+    private void RunPhases()
     {
         ScriptList.ForEach(_start);
-        for (_physics += seconds * Time.timeScale; World.IsPlaying && _physics >= Time.fixedDeltaTime; _physics -= Time.fixedDeltaTime)
+        for (_physics += Time.deltaTime; World.IsPlaying && _physics >= Time.fixedDeltaTime; _physics -= Time.fixedDeltaTime)
         {
             ScriptList.ForEach(_fixedUpdate);
             Animator.RunAll(inPhysics: true);

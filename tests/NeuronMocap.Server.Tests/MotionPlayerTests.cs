@@ -1,0 +1,73 @@
+using NeuronMocap.Recording;
+using NeuronMocap.Tests.Playback;
+using NeuronMocap.Tests.Server;
+
+namespace NeuronMocap.Server.Tests;
+
+public sealed class MotionPlayerTests
+{
+    private static readonly TimeSpan Frame = TimeSpan.FromTicks(TimeSpan.TicksPerSecond / 60);
+
+    private readonly ManualClock _clock = new();
+
+    [Fact]
+    public async Task A_reader_gets_the_frames_of_a_broadcast()
+    {
+        var source = new TestSource(seed: 3, frameCount: 90);
+        string[] broadcast;
+        await using (var server = new Broadcaster(new BroadcasterOptions
+        {
+            Sources = [source], AvatarNames = ["Ann"], Port = 0, IncludeDisplacement = true, FrameRate = BroadcasterOptions.MaxFrameRate, WaitForClient = true,
+        }))
+        {
+            server.Start();
+            await using var client = new NeuronReader("127.0.0.1", server.LocalEndPoint!.Port);
+            using var received = new FrameLog(client);
+            client.Start();
+            await received.WaitAsync(90);
+            broadcast = received.Lines;
+        }
+
+        using RecordingPlayer player = MotionPlayer.Create(source, "Ann", new PlaybackOptions { Clock = _clock });
+        Assert.Equal(Frame.TotalSeconds * 90, player.Duration.TotalSeconds, 1e-5);
+        await using var reader = new NeuronReader(player);
+        using var frames = new FrameLog(reader);
+        reader.Start();
+        await frames.WaitAsync(1);
+        Assert.Contains("motion Ann", reader.Status.Message, StringComparison.Ordinal);
+        _clock.MoveTo(TimeSpan.FromMinutes(1));
+        await reader.Completion.Soon();
+
+        Assert.Equal(broadcast, frames.Lines);
+        Assert.Equal(ConnectionReason.EndOfRecording, reader.Status.Reason);
+    }
+
+    [Fact]
+    public async Task An_endless_source_never_ends_and_can_seek()
+    {
+        using RecordingPlayer player = MotionPlayer.Create(new LoopedSource(new TestSource(frameCount: 60)), "Ann", new PlaybackOptions { Clock = _clock });
+        Assert.Equal(TimeSpan.MaxValue, player.Duration);
+        await using var reader = new NeuronReader(player);
+        using var frames = new FrameLog(reader);
+        reader.Start();
+        await frames.WaitAsync(1);
+        _clock.MoveTo(TimeSpan.FromSeconds(5));
+        Assert.True(player.WaitUntilDelivered(Limits.Unexpected));
+        Assert.Equal(301, frames.Indices.Length);
+
+        frames.Clear();
+        player.Seek(TimeSpan.FromSeconds(100));
+        Assert.True(player.WaitUntilDelivered(Limits.Unexpected));
+        Assert.Equal(6000u, Assert.Single(frames.Indices));
+        player.Seek(TimeSpan.Zero);
+        Assert.True(player.WaitUntilDelivered(Limits.Unexpected));
+        Assert.Equal(0u, frames.Indices[^1]);
+    }
+
+    [Fact]
+    public void Null_arguments_are_rejected()
+    {
+        Assert.Throws<ArgumentNullException>(static () => MotionPlayer.Create(null!, "Ann"));
+        Assert.Throws<ArgumentNullException>(static () => MotionPlayer.Create(new TestSource(), null!));
+    }
+}

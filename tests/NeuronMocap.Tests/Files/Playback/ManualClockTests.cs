@@ -1,0 +1,112 @@
+using NeuronMocap.Recording;
+
+namespace NeuronMocap.Tests.Playback;
+
+public sealed class ManualClockTests
+{
+    private readonly ManualClock _clock = new();
+
+    [Fact]
+    public async Task Frames_are_due_on_the_clock()
+    {
+        using TemporaryFile file = Played.Frames(10, interval: 10);
+        using RecordingPlayer player = Open(file);
+        await using var reader = new NeuronReader(player);
+        var frames = new List<(uint? Index, long Timestamp)>();
+        reader.MotionReceived += frame => frames.Add((frame.FrameIndex, frame.Timestamp));
+        Assert.True(player.WaitUntilDelivered(TimeSpan.Zero));
+        reader.Start();
+        await Limits.UntilAsync(() => reader.GetStatistics().MotionFrames == 1);
+
+        foreach (int milliseconds in (int[])[4, 10, 45, 45, 46, 60])
+        {
+            _clock.MoveTo(Recordings.At(milliseconds));
+            Assert.True(player.WaitUntilDelivered(Limits.Unexpected));
+            Assert.Equal((milliseconds / 10) + 1, frames.Count);
+            Assert.Equal(Recordings.At(milliseconds), player.Position);
+        }
+
+        Assert.Equal([0, 1, 2, 3, 4, 5, 6], frames.Select(static frame => (int)frame.Index!));
+        double[] times = [.. frames.Select(frame => (frame.Timestamp - frames[0].Timestamp) * 1000.0 / System.Diagnostics.Stopwatch.Frequency)];
+        Assert.Equal([0, 10, 20, 30, 40, 50, 60], times.Select(static time => Math.Round(time, 2)));
+        Assert.Equal(_clock.Timestamp, frames[^1].Timestamp);
+    }
+
+    [Fact]
+    public async Task A_long_step_leaves_nothing_out()
+    {
+        using TemporaryFile file = Played.Frames(400, interval: 10);
+        using RecordingPlayer player = Open(file);
+        player.Passes = 3;
+        await using var reader = new NeuronReader(player);
+        reader.Start();
+        await Limits.UntilAsync(() => reader.GetStatistics().MotionFrames == 1);
+
+        _clock.MoveTo(Recordings.At((2 * 3990) + 1000));
+        Assert.True(player.WaitUntilDelivered(Limits.Unexpected));
+        Assert.Equal(400 + 400 + 101, reader.GetStatistics().MotionFrames);
+
+        _clock.MoveTo(TimeSpan.FromHours(1));
+        Assert.True(player.WaitUntilDelivered(Limits.Unexpected));
+        await reader.Completion.Soon();
+        Assert.Equal(1200, reader.GetStatistics().MotionFrames);
+        Assert.True(player.WaitUntilDelivered(TimeSpan.Zero));
+    }
+
+    [Fact]
+    public async Task A_wait_ends_with_its_time_or_with_the_handlers()
+    {
+        using TemporaryFile file = Played.Frames(10, interval: 10);
+        using RecordingPlayer player = Open(file);
+        await using var reader = new NeuronReader(player);
+        using var going = new ManualResetEventSlim();
+        reader.MotionReceived += frame =>
+        {
+            if (frame.FrameIndex == 1)
+                going.Wait();
+        };
+        reader.Start();
+        await Limits.UntilAsync(() => reader.GetStatistics().MotionFrames == 1);
+
+        _clock.MoveTo(Recordings.At(25));
+        Assert.False(player.WaitUntilDelivered(TimeSpan.Zero));
+        going.Set();
+        Assert.True(player.WaitUntilDelivered(Limits.Unexpected));
+        Assert.Equal(3, reader.GetStatistics().MotionFrames);
+    }
+
+    [Fact]
+    public async Task A_paused_or_stopped_playback_has_nothing_to_wait_for()
+    {
+        using TemporaryFile file = Played.Frames(10, interval: 10);
+        using RecordingPlayer player = Open(file);
+        await using var reader = new NeuronReader(player);
+        reader.Start();
+        await Limits.UntilAsync(() => reader.GetStatistics().MotionFrames == 1);
+        player.Pause();
+        _clock.MoveTo(Recordings.At(50));
+        Assert.True(player.WaitUntilDelivered(Limits.Unexpected));
+        Assert.Equal(1, reader.GetStatistics().MotionFrames);
+
+        player.Seek(Recordings.At(70));
+        player.Resume();
+        Assert.True(player.WaitUntilDelivered(Limits.Unexpected));
+        Assert.Equal(2, reader.GetStatistics().MotionFrames);
+
+        // The clock stands still, and the reader ends all the same.
+        await reader.DisposeAsync().AsTask().Soon();
+        _clock.MoveTo(TimeSpan.FromHours(1));
+        Assert.True(player.WaitUntilDelivered(TimeSpan.Zero));
+    }
+
+    [Fact]
+    public void The_clock_never_goes_back()
+    {
+        _clock.MoveTo(TimeSpan.FromSeconds(2));
+        long timestamp = _clock.Timestamp;
+        _clock.MoveTo(TimeSpan.FromSeconds(1));
+        Assert.Equal((TimeSpan.FromSeconds(2), timestamp), (_clock.Now, _clock.Timestamp));
+    }
+
+    private RecordingPlayer Open(TemporaryFile file) => RecordingPlayer.Open(file.Path, new PlaybackOptions { Clock = _clock });
+}
