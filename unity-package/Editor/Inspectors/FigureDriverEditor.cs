@@ -15,6 +15,7 @@ namespace NeuronMocap.Unity.EditorTools
 
         private RepaintTimer? _timer;
         private DriverReport? _report;
+        private IReadOnlyList<ReportRow> _smoothing = Array.Empty<ReportRow>();
         private IReadOnlyList<RigProblem>? _problems;
 
         internal IReadOnlyList<RigProblem> Problems => _problems ??= Examine();
@@ -34,11 +35,14 @@ namespace NeuronMocap.Unity.EditorTools
             if (_report is null || Event.current.type == EventType.Layout)
             {
                 _report = DriverReport.Of(driver, Application.isPlaying);
+                _smoothing = SmoothingReport.Of(driver);
                 _problems ??= Examine();
             }
 
             ReportGui.Headline(_report.Severity, _report.Title);
             ReportGui.Message(_report.Severity, _report.Message);
+            foreach (ReportRow row in _smoothing)
+                ReportGui.Row(row);
 
             // In play mode the figure has the performer's pose, and its rest pose is already captured.
             if (!Application.isPlaying)
@@ -73,6 +77,7 @@ namespace NeuronMocap.Unity.EditorTools
             "_performerName" => serializedObject.Is("_performerChoice", (int)PerformerChoice.ByIndex),
             "_scale" => serializedObject.Is("_automaticScale", true),
             "_groundHeight" or "_footBlendTime" => serializedObject.Is("_footPlanting", false),
+            "_partSmoothing" => serializedObject.Is("_smoothing", false),
             "_idleBlendTime" => serializedObject.Is("_whenIdle", (int)IdleBehaviour.Hold),
             _ => false,
         };

@@ -21,6 +21,9 @@ namespace NeuronMocap.Unity.EditorTools
         [MenuItem(Menu + "Skeleton View", false, Priority)]
         public static void CreateView(MenuCommand command) => Create<SkeletonView>("Skeleton View", command);
 
+        [MenuItem(Menu + "Performer Overlay", false, Priority)]
+        public static void CreateOverlay(MenuCommand command) => Create<PerformerOverlay>("Performer Overlay", command);
+
         [MenuItem(Menu + "Humanoid Driver on Selection", false, Priority + 20)]
         public static void AddHumanoidDriver() => AddToSelection<HumanoidDriver>();
 

@@ -164,7 +164,7 @@ namespace NeuronMocap.Unity
             options.Weights.Reset();
             _partWeights.CopyTo(options.Weights);
             CopyBoneWeights(options.Weights);
-            if (!rig.TryRetarget(performer.LocalPose))
+            if (!rig.TryRetarget(PoseOf(performer)))
                 return;
 
             _hasPose = true;

@@ -70,6 +70,15 @@ namespace NeuronMocap.Unity
         [SerializeField]
         private FootRotation _footRotation;
 
+        [Header("Smoothing")]
+        [Tooltip("Remove noise from the motion, with a delay that the inspector shows. Off: the figure follows the motion as it is.")]
+        [SerializeField]
+        private bool _smoothing;
+
+        [Tooltip("How strongly each body part is smoothed.")]
+        [SerializeField]
+        private PartSmoothing _partSmoothing = new PartSmoothing();
+
         [Header("Weights")]
         [Tooltip("How much of the motion the figure follows. The remainder comes from its rest pose or its Animator.")]
         [Range(0, 1)]

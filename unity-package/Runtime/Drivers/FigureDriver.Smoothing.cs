@@ -1,0 +1,41 @@
+#nullable enable
+
+using System;
+
+namespace NeuronMocap.Unity
+{
+    // The motion between the performer and the retargeter.
+    public abstract partial class FigureDriver
+    {
+        [NonSerialized]
+        private MotionSmoothing? _motionSmoothing;
+
+        /// <summary>
+        /// Gets or sets whether the motion is smoothed before the figure follows it. Smoothing removes noise and adds a delay, which the inspector
+        /// shows. The default is false.
+        /// </summary>
+        public bool Smoothing
+        {
+            get => _smoothing;
+            set => _smoothing = value;
+        }
+
+        /// <summary>Gets how strongly each part of the body is smoothed while <see cref="Smoothing"/> is on.</summary>
+        public PartSmoothing PartSmoothing => _partSmoothing;
+
+        // Null while the motion is not smoothed.
+        internal MotionSmoothing? ActiveSmoothing => _smoothing ? _motionSmoothing : null;
+
+        private ReadOnlySpan<BoneTransform> PoseOf(Performer performer)
+        {
+            if (!_smoothing)
+            {
+                _motionSmoothing?.Reset();
+                return performer.LocalPose;
+            }
+
+            _motionSmoothing ??= new MotionSmoothing();
+            return _motionSmoothing.Smooth(performer, _partSmoothing);
+        }
+    }
+}
