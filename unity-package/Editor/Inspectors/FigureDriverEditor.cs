@@ -18,7 +18,7 @@ namespace NeuronMocap.Unity.EditorTools
         private IReadOnlyList<ReportRow> _smoothing = Array.Empty<ReportRow>();
         private IReadOnlyList<RigProblem>? _problems;
 
-        internal IReadOnlyList<RigProblem> Problems => _problems ??= Examine();
+        internal IReadOnlyList<RigProblem> Problems => _problems ??= ExamineAll();
 
         public override void OnInspectorGUI()
         {
@@ -36,7 +36,7 @@ namespace NeuronMocap.Unity.EditorTools
             {
                 _report = DriverReport.Of(driver, Application.isPlaying);
                 _smoothing = SmoothingReport.Of(driver);
-                _problems ??= Examine();
+                _problems ??= ExamineAll();
             }
 
             ReportGui.Headline(_report.Severity, _report.Title);
@@ -50,6 +50,8 @@ namespace NeuronMocap.Unity.EditorTools
         }
 
         protected abstract IReadOnlyList<RigProblem> Examine();
+
+        private RigProblem[] ExamineAll() => Examine().Concat(PhysicsCheck.Examine((FigureDriver)target)).ToArray();
 
         private void OnEnable()
         {

@@ -58,6 +58,8 @@ namespace NeuronMocap.Unity
             _retargeted = null;
             _hasPose = false;
             _rig?.Writer.End();
+            _rig?.Bodies.End();
+            EndSteps();
         }
 
         private protected void OnValidate() => _rigProblem = null;
@@ -66,6 +68,8 @@ namespace NeuronMocap.Unity
         {
             if (_driveTime == DriveTime.Update)
                 Drive();
+            else if (_driveTime == DriveTime.Physics)
+                FollowClock();
         }
 
         private void LateUpdate()
@@ -92,7 +96,7 @@ namespace NeuronMocap.Unity
 
             Blend(isLive);
             if (_hasPose)
-                _rig!.Writer.Write(_rig.Pose, Mathf.Clamp01(_weight) * _presence);
+                Write(_rig!, Mathf.Clamp01(_weight) * _presence);
 
             IsDriving = isLive && _hasPose;
             Problem = Explain();
@@ -184,7 +188,7 @@ namespace NeuronMocap.Unity
             options.GroundHeight = float.IsFinite(_groundHeight) ? _groundHeight : 0;
             options.BlendIn = options.BlendOut = TimeSpan.FromSeconds(_footBlendTime >= 0 ? Math.Min(_footBlendTime, 1) : 0);
             options.FootRotation = _footRotation;
-            rig.PlantFeet(performer.Contacts, performer.Time);
+            rig.PlantFeet(performer.Contacts, TimeOf(performer));
         }
 
         // Updates the weight of the pose while data comes and goes.
@@ -197,6 +201,7 @@ namespace NeuronMocap.Unity
         private void RestoreRest()
         {
             _rig?.Writer.Restore();
+            _rig?.Bodies.Restore();
             _hasPose = false;
         }
     }

@@ -28,14 +28,16 @@ namespace NeuronMocap.Unity
 
         private ReadOnlySpan<BoneTransform> PoseOf(Performer performer)
         {
+            double time = TimeOf(performer);
+            ReadOnlySpan<BoneTransform> pose = _isStep ? _stepSampler.Sample(performer, time) : performer.LocalPose;
             if (!_smoothing)
             {
                 _motionSmoothing?.Reset();
-                return performer.LocalPose;
+                return pose;
             }
 
             _motionSmoothing ??= new MotionSmoothing();
-            return _motionSmoothing.Smooth(performer, _partSmoothing);
+            return _motionSmoothing.Smooth(performer, pose, time, _partSmoothing);
         }
     }
 }

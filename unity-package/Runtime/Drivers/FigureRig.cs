@@ -19,7 +19,9 @@ namespace NeuronMocap.Unity
             Target = target;
             Note = note;
             Pose = new RetargetedPose(target);
+            Nodes = nodes;
             Writer = new PoseWriter(nodes, target);
+            Bodies = new BodyWriter(nodes, target, Writer);
             _planter = new FootPlanter(target);
             _retargeter = new Retargeter(target, SkeletonBody.GetDefault(), new RetargetOptions());
         }
@@ -30,7 +32,11 @@ namespace NeuronMocap.Unity
 
         public RetargetedPose Pose { get; }
 
+        public Transform[] Nodes { get; }
+
         public PoseWriter Writer { get; }
+
+        public BodyWriter Bodies { get; }
 
         public RetargetOptions Options => _retargeter.Options;
 

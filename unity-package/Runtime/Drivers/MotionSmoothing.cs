@@ -16,17 +16,17 @@ namespace NeuronMocap.Unity
         private readonly RotationNoise _after = new RotationNoise();
         private Performer? _performer;
 
-        public ReadOnlySpan<BoneTransform> Smooth(Performer performer, PartSmoothing settings)
+        public ReadOnlySpan<BoneTransform> Smooth(Performer performer, ReadOnlySpan<BoneTransform> pose, double seconds, PartSmoothing settings)
         {
             if (_performer != performer)
                 Reset();
 
             _performer = performer;
             settings.CopyTo(_smoother, performer.Variant);
-            performer.LocalPose.CopyTo(_pose);
-            _before.Update(_pose, performer.Time);
-            _smoother.Smooth(_pose, performer.Time);
-            _after.Update(_pose, performer.Time);
+            pose.Slice(0, _pose.Length).CopyTo(_pose);
+            _before.Update(_pose, seconds);
+            _smoother.Smooth(_pose, seconds);
+            _after.Update(_pose, seconds);
             return _pose;
         }
 

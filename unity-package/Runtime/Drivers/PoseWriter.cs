@@ -29,6 +29,7 @@ namespace NeuronMocap.Unity
             _rest = new Quaternion[nodes.Length];
             _isWritten = new bool[nodes.Length];
             _isBetween = new bool[nodes.Length];
+            Skipped = new bool[nodes.Length];
             for (int node = 0; node < nodes.Length; node++)
             {
                 _rest[node] = rig.Nodes[node].Rotation.ToUnity();
@@ -39,6 +40,9 @@ namespace NeuronMocap.Unity
             _hipsWritten = _hipsRest = rig.Nodes[_hips].Position.ToUnity();
         }
 
+        // Transforms that another writer moves.
+        public bool[] Skipped { get; }
+
         public void Write(RetargetedPose pose, float weight)
         {
             if (!_hasBegun)
@@ -47,13 +51,15 @@ namespace NeuronMocap.Unity
             Span<System.Numerics.Quaternion> rotations = pose.LocalRotations;
             for (int node = 0; node < _nodes.Length; node++)
             {
+                if (Skipped[node])
+                    continue;
                 if (!pose.IsDriven(node))
                     Release(node);
                 else if (_nodes[node] != null)
                     Turn(node, rotations[node].ToUnity(), weight);
             }
 
-            if (pose.IsDriven(_hips) && _nodes[_hips] != null)
+            if (pose.IsDriven(_hips) && !Skipped[_hips] && _nodes[_hips] != null)
                 Move(pose.HipsLocalPosition.ToUnity(), weight);
         }
 

@@ -149,6 +149,8 @@ namespace NeuronMocap.Unity
 
         internal AvatarStream Stream => _stream;
 
+        internal SamplingSettings Sampling => _sampling;
+
         // The time of this rendered frame, in seconds of SourceClock.
         internal double Time { get; private set; }
 

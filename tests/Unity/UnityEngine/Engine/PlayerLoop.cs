@@ -142,6 +142,7 @@ internal sealed class PlayerLoop : IDisposable
     {
         World.Clear();
         ScriptList.Clear();
+        PhysicsStep.Clear();
         PlayMode.ForgetListeners();
         ConsoleLog.Clear();
         GizmoLog.Clear();
@@ -166,8 +167,11 @@ internal sealed class PlayerLoop : IDisposable
         ScriptList.ForEach(_start);
         for (_physics += seconds * Time.timeScale; World.IsPlaying && _physics >= Time.fixedDeltaTime; _physics -= Time.fixedDeltaTime)
         {
+            Time.BeginFixedStep();
             ScriptList.ForEach(_fixedUpdate);
+            PhysicsStep.Run(Time.fixedDeltaTime);
             ScriptList.RunCoroutines(FrameMoment.AfterFixedUpdate);
+            Time.EndFixedStep();
         }
 
         _context.Run();
