@@ -81,6 +81,11 @@ namespace NeuronMocap.Unity
         private void Drive()
         {
             IsDriving = false;
+            if (IsPosed)
+            {
+                Problem = string.Empty;
+                return;
+            }
 
             // Also without a figure, because a figure may be built only when its performer is known.
             Performer = FindPerformer();
@@ -161,6 +166,16 @@ namespace NeuronMocap.Unity
                 _body = performer.BodyVersion;
             }
 
+            SetOptions(rig);
+            if (!rig.TryRetarget(PoseOf(performer)))
+                return;
+
+            _hasPose = true;
+            PlantFeet(performer, rig);
+        }
+
+        private void SetOptions(FigureRig rig)
+        {
             RetargetOptions options = rig.Options;
             options.RootMotion = _rootMotion;
             options.HeightOffset = float.IsFinite(_heightOffset) ? _heightOffset : 0;
@@ -168,11 +183,6 @@ namespace NeuronMocap.Unity
             options.Weights.Reset();
             _partWeights.CopyTo(options.Weights);
             CopyBoneWeights(options.Weights);
-            if (!rig.TryRetarget(PoseOf(performer)))
-                return;
-
-            _hasPose = true;
-            PlantFeet(performer, rig);
         }
 
         // With in-place root motion, feet slide by design.

@@ -19,6 +19,7 @@ namespace NeuronMocap.Unity
             Target = target;
             Note = note;
             Pose = new RetargetedPose(target);
+            Mix = new PoseMix(target);
             Nodes = nodes;
             Writer = new PoseWriter(nodes, target);
             Bodies = new BodyWriter(nodes, target, Writer);
@@ -31,6 +32,8 @@ namespace NeuronMocap.Unity
         public string Note { get; }
 
         public RetargetedPose Pose { get; }
+
+        public PoseMix Mix { get; }
 
         public Transform[] Nodes { get; }
 
