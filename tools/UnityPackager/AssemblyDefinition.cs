@@ -10,12 +10,16 @@ internal sealed record AssemblyDefinition(
     IReadOnlyList<string> PrecompiledReferences,
     IReadOnlyList<string> IncludePlatforms,
     IReadOnlyList<string> DefineConstraints,
+    IReadOnlyList<string> VersionDefines,
     bool OverrideReferences,
     bool AutoReferenced)
 {
     private const string TestConstraint = "UNITY_INCLUDE_TESTS";
 
     public bool IsEditorOnly => IncludePlatforms is ["Editor"];
+
+    /// <summary>Whether Unity compiles it only together with another package, whose assemblies it may reference.</summary>
+    public bool NeedsOtherPackage => DefineConstraints.Intersect(VersionDefines, StringComparer.Ordinal).Any();
 
     public bool IsTest => DefineConstraints.Contains(TestConstraint);
 
@@ -33,8 +37,12 @@ internal sealed record AssemblyDefinition(
             GetTexts("precompiledReferences"),
             GetTexts("includePlatforms"),
             GetTexts("defineConstraints"),
+            GetVersionDefines(),
             root.TryGetProperty("overrideReferences", out JsonElement overrides) && overrides.GetBoolean(),
             !root.TryGetProperty("autoReferenced", out JsonElement auto) || auto.GetBoolean());
+
+        string[] GetVersionDefines() =>
+            root.TryGetProperty("versionDefines", out JsonElement list) ? [.. list.EnumerateArray().Select(static item => item.GetProperty("define").GetString() ?? string.Empty)] : [];
 
         string[] GetTexts(string name) =>
             root.TryGetProperty(name, out JsonElement list) ? [.. list.EnumerateArray().Select(static text => text.GetString() ?? string.Empty)] : [];

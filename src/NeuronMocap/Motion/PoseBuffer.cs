@@ -64,6 +64,12 @@ public sealed class PoseBuffer
     public long SampledTag => _timeline.SampledTag;
 
     /// <summary>
+    /// Number of frames that arrived after the time at which they were to be shown. Too many of them mean that the delay is too short. Read it on the
+    /// sampling thread.
+    /// </summary>
+    public long Late { get; private set; }
+
+    /// <summary>
     /// Adds a frame. Call it from one thread, which may be the thread of <see cref="Sample"/>. It never waits and does not allocate memory.
     /// </summary>
     /// <param name="pose">
@@ -120,6 +126,9 @@ public sealed class PoseBuffer
         if (_clock.Place(slot.Arrival, slot.Index) is { } time)
         {
             slot.Time = time;
+            if (_clock.IsSettled && slot.Arrival - time > _delay)
+                Late++;
+
             _timeline.Add(slot);
         }
         else

@@ -10,15 +10,18 @@ public sealed class PackedCompilationTests
     private static readonly StagedPackage Package = UpmTarball.Read(UpmTarball.Create(ThePackage.Staged));
 
     [Theory]
-    [InlineData(true)]
-    [InlineData(false)]
-    public void The_packed_sources_compile_alone(bool isEditor)
+    [InlineData(true, false)]
+    [InlineData(false, false)]
+    [InlineData(true, true)]
+    [InlineData(false, true)]
+    public void The_packed_sources_compile_alone_and_with_the_package_of_Timeline(bool isEditor, bool hasTimeline)
     {
-        var compiler = new UnityCompiler(Package, isEditor);
+        var compiler = new UnityCompiler(Package, isEditor, hasTimeline);
 
         compiler.CompileAll();
 
-        Assert.Equal(isEditor ? 8 : 7, compiler.Definitions.Length);
+        Assert.Equal((isEditor ? 8 : 7) + (hasTimeline ? 1 : 0), compiler.Definitions.Length);
         Assert.Equal(compiler.Definitions.Length, compiler.Compiled.Count);
+        Assert.Equal(hasTimeline, compiler.Compiled.Contains("NeuronMocap.Unity.Timeline"));
     }
 }

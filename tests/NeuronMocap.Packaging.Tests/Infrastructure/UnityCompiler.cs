@@ -19,14 +19,18 @@ internal sealed class UnityCompiler
     private readonly StagedPackage _package;
     private readonly MetadataReference[] _unity;
     private readonly CSharpParseOptions _options;
+    private readonly Dictionary<string, MetadataReference> _installed = new(StringComparer.Ordinal);
     private readonly Dictionary<string, MetadataReference> _compiled = new(StringComparer.Ordinal);
 
-    public UnityCompiler(StagedPackage package, bool isEditor)
+    public UnityCompiler(StagedPackage package, bool isEditor, bool hasTimeline = false)
     {
+        if (hasTimeline)
+            _installed.Add("Unity.Timeline", StandIn("Unity.Timeline"));
+
         _package = package;
         _unity = [StandIn("UnityEngine"), .. isEditor ? (MetadataReference[])[StandIn("UnityEditor")] : []];
         _options = new(LanguageVersion.CSharp9, DocumentationMode.None, preprocessorSymbols: ["UNITY_2021_3_OR_NEWER", .. isEditor ? (string[])["UNITY_EDITOR"] : []]);
-        Definitions = [.. AssemblyDefinition.FindAll(package).Where(definition => !definition.IsTest && (isEditor || !definition.IsEditorOnly))];
+        Definitions = [.. AssemblyDefinition.FindAll(package).Where(definition => !definition.IsTest && (isEditor || !definition.IsEditorOnly) && (hasTimeline || !definition.NeedsOtherPackage))];
     }
 
     /// <summary>The assembly definitions, without tests.</summary>
@@ -38,7 +42,7 @@ internal sealed class UnityCompiler
     /// <summary>Compiles all assemblies, references first. Fails with the first errors.</summary>
     public void CompileAll()
     {
-        while (Definitions.FirstOrDefault(definition => !_compiled.ContainsKey(definition.Name) && definition.References.All(_compiled.ContainsKey)) is { } definition)
+        while (Definitions.FirstOrDefault(definition => !_compiled.ContainsKey(definition.Name) && definition.References.All(Exists)) is { } definition)
             CompileOne(definition);
     }
 
@@ -51,6 +55,10 @@ internal sealed class UnityCompiler
         return Emit("Assembly-CSharp", [CSharpSyntaxTree.ParseText(script, _options)], [_compiled["NeuronMocap.Unity"], .. MirroredFile.Assemblies.Select(static name => $"{name}.dll").Select(Library)], Stream.Null);
     }
 
+    private bool Exists(string assembly) => _compiled.ContainsKey(assembly) || _installed.ContainsKey(assembly);
+
+    private MetadataReference Find(string assembly) => _compiled.TryGetValue(assembly, out MetadataReference? own) ? own : _installed[assembly];
+
     private void CompileOne(AssemblyDefinition definition)
     {
         SyntaxTree[] sources = [.. _package.AssetFiles
@@ -59,7 +67,7 @@ internal sealed class UnityCompiler
         Assert.NotEmpty(sources);
 
         using var image = new MemoryStream();
-        Assert.Empty(Emit(definition.Name, sources, [.. definition.References.Select(reference => _compiled[reference]), .. definition.PrecompiledReferences.Select(Library)], image));
+        Assert.Empty(Emit(definition.Name, sources, [.. definition.References.Select(Find), .. definition.PrecompiledReferences.Select(Library)], image));
         _compiled.Add(definition.Name, MetadataReference.CreateFromImage(image.ToArray()));
     }
 

@@ -50,6 +50,22 @@ public sealed class PoseBufferTests
         Assert.Equal(0, buffer.Dropped);
     }
 
+    [Theory]
+    [InlineData(5, 45, 50)]
+    [InlineData(25, 0, 0)]
+    public void Frames_that_come_after_their_display_time_are_counted(int delay, int least, int most)
+    {
+        PoseBuffer buffer = Create(delay);
+        for (int i = 0; i < 500; i++)
+        {
+            double lateness = i % 10 == 5 ? 0.008 : 0;
+            Push(buffer, i, (i * Interval) + lateness, (uint)i);
+            buffer.Sample((i * Interval) + lateness, _pose);
+        }
+
+        Assert.InRange(buffer.Late, least, most);
+    }
+
     [Fact]
     public void Motion_is_extrapolated_slows_down_and_stops_without_frames()
     {

@@ -44,6 +44,7 @@ public class CreateMenuTests
     [Theory]
     [InlineData("Performer Spawner", typeof(PerformerSpawner))]
     [InlineData("Skeleton View", typeof(SkeletonView))]
+    [InlineData("Performer Overlay", typeof(PerformerOverlay))]
     public void Components_are_created_from_the_menu_with_Undo(string name, Type type)
     {
         using var world = new EditorWorld();

@@ -1,3 +1,4 @@
+using NeuronMocap.Retargeting;
 using NeuronMocap.Skeleton;
 using NeuronMocap.Unity.EditorTools;
 using NeuronMocap.Unity.Tests.Infrastructure;
@@ -77,6 +78,27 @@ public sealed class DriverInspectorTests : IDisposable
         ImmediateGui.Draw(inspector.OnInspectorGUI);
         Assert.DoesNotContain("Performer Index", EditorWorld.Labels("Property"));
         Assert.Contains("Performer Name", EditorWorld.Labels("Property"));
+    }
+
+    [Fact]
+    public void Smoothing_shows_its_delay_and_in_play_mode_the_noise()
+    {
+        HumanoidDriver driver = HumanoidFigure.Build(SkeletonBody.GetDefault()).Root.AddComponent<HumanoidDriver>();
+        UnityEditor.Editor inspector = _world.Inspect(driver);
+        ImmediateGui.Draw(inspector.OnInspectorGUI);
+        Assert.DoesNotContain("Part Smoothing", EditorWorld.Labels("Property"));
+        Assert.DoesNotContain("Arms Smoothing", EditorWorld.Labels("Label"));
+
+        ImmediateGui.Set(inspector.OnInspectorGUI, "Smoothing", true);
+        driver.PartSmoothing.Set(BodyParts.Arms, new SmoothingAmount(2, 1));
+        ImmediateGui.Draw(inspector.OnInspectorGUI);
+        Assert.Contains("Part Smoothing", EditorWorld.Labels("Property"));
+        Assert.Equal("delay 80 ms at rest, 31 ms at 180 degrees/s", EditorWorld.Find("Arms Smoothing").Value);
+
+        driver.Source = Stage.AddSimulator();
+        _world.Loop.RunUntil(() => driver.IsDriving);
+        ImmediateGui.Draw(inspector.OnInspectorGUI);
+        Assert.Matches(@"at 180 degrees/s; noise \d+\.\d\d degrees before, \d+\.\d\d after$", EditorWorld.Find("Arms Smoothing").Value);
     }
 
     private static Color Dot(Severity severity) => ReportGui.ColorOf(severity, isDarkSkin: true);

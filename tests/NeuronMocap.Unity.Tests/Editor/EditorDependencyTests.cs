@@ -11,7 +11,7 @@ public sealed class EditorDependencyTests
     {
         ["Build"] = [""],
         ["Diagnosis"] = ["", "Reports"],
-        ["Menus"] = [""],
+        ["Menus"] = ["", "Rigs"],
         ["Migration"] = ["", "Reports"],
         ["Preview"] = [""],
         ["Recorders"] = [""],

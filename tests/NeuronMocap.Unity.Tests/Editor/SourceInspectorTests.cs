@@ -135,6 +135,8 @@ public class SourceInspectorTests
         Assert.Equal(ReportGui.ColorOf(Severity.Good, isDarkSkin: true), EditorWorld.DotOf("Receiving"));
         Assert.EndsWith(" /s", EditorWorld.Controls.Single(static control => control.Label == "Frame Rate").Value, StringComparison.Ordinal);
         Assert.Equal("0", EditorWorld.Find("Lost Frames").Value);
+        Assert.Matches(@"^30 ms; the stream needs \d+ ms$", EditorWorld.Controls.Single(static control => control.Kind == "Label" && control.Label == "Delay").Value);
+        Assert.Matches(@"^\d+$", EditorWorld.Find("Late Frames").Value);
         foreach (Performer performer in source.Performers)
             Assert.Contains("live", EditorWorld.Find($"{performer.Name} ({performer.AvatarIndex})").Value, StringComparison.Ordinal);
     }

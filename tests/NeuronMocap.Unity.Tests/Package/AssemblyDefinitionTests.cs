@@ -53,7 +53,19 @@ public sealed class AssemblyDefinitionTests
     {
         string[] players = [.. ProjectNames.Select(static row => row.Data).Where(static name => name.EndsWith(".Player", StringComparison.Ordinal)).Select(static name => name[..^".Player".Length])];
 
-        Assert.Equal(["Compatibility", "Runtime", "Samples", "Tests.PlayMode"], players.Order());
+        Assert.Equal(["Compatibility", "Runtime", "Samples", "Tests.PlayMode", "Timeline"], players.Order());
+    }
+
+    // Timeline is a package that a project may lack or remove.
+    [Fact]
+    public void Only_the_assembly_for_Timeline_needs_the_package_of_Timeline()
+    {
+        Definition[] all = [.. Directory.GetFiles(Package, "*.asmdef", SearchOption.AllDirectories).Select(static path => new Definition(JsonDocument.Parse(File.ReadAllText(path)).RootElement))];
+
+        string[] without = [.. all.Where(static definition => definition.IsCompiledWith("UNITY_INCLUDE_TESTS")).Select(static definition => definition.Name)];
+        Assert.Equal("NeuronMocap.Unity.Timeline", Assert.Single(all, definition => !without.Contains(definition.Name)).Name);
+        Assert.All(all, static definition => Assert.True(definition.IsCompiledWith("UNITY_INCLUDE_TESTS", "com.unity.timeline")));
+        Assert.All(all, definition => Assert.True(definition.References.All(static reference => reference != "Unity.Timeline") || !without.Contains(definition.Name)));
     }
 
     // Only Unity's own symbols may decide whether a script is compiled in one build and not in the other.
@@ -86,6 +98,10 @@ public sealed class AssemblyDefinitionTests
                 yield return name;
                 yield return "UnityEditor.TestRunner";
             }
+            else if (name == "Unity.Timeline")
+            {
+                yield return name;
+            }
             else
             {
                 yield return XElement.Load(Path.Combine(Projects, name, $"{name}.csproj")).Descendants("AssemblyName").Single().Value;
@@ -113,6 +129,15 @@ public sealed class AssemblyDefinitionTests
         public bool AllowsUnsafe => json.GetProperty("allowUnsafeCode").GetBoolean();
 
         public bool IsWithoutEngine => json.GetProperty("noEngineReferences").GetBoolean();
+
+        // Whether all constraints are symbols that exist, or that an installed package defines.
+        public bool IsCompiledWith(params string[] symbolsAndPackages)
+        {
+            IEnumerable<string> defined = json.GetProperty("versionDefines").EnumerateArray()
+                .Where(item => symbolsAndPackages.Contains(item.GetProperty("name").GetString()))
+                .Select(static item => item.GetProperty("define").GetString()!);
+            return !GetStrings("defineConstraints").Except(symbolsAndPackages.Concat(defined)).Any();
+        }
 
         private IEnumerable<string> GetStrings(string property) => json.GetProperty(property).EnumerateArray().Select(static item => item.GetString()!);
     }

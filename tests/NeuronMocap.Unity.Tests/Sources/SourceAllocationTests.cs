@@ -21,6 +21,7 @@ public sealed class SourceAllocationTests : SourceFixture
         HumanoidDriver byName = TestFigure.Build("B").Drive(null);
         (byName.PerformerChoice, byName.PerformerName, byName.FootPlanting, byName.Weight) = (PerformerChoice.ByName, "Char01", true, 0.5f);
         byName.BoneWeights.Add(new HumanoidBoneWeight { Bone = HumanoidBone.Head, Weight = 0 });
+        byName.Smoothing = true;
         HumanoidDriver lost = TestFigure.Build("C").Drive(source);
         lost.PerformerIndex = 7;
         Loop.RunUntil(() => byIndex.IsDriving && byName.IsDriving && lost.Problem.Length > 0);

@@ -15,9 +15,10 @@ namespace NeuronMocap.Unity.EditorTools
 
         private RepaintTimer? _timer;
         private DriverReport? _report;
+        private IReadOnlyList<ReportRow> _smoothing = Array.Empty<ReportRow>();
         private IReadOnlyList<RigProblem>? _problems;
 
-        internal IReadOnlyList<RigProblem> Problems => _problems ??= Examine();
+        internal IReadOnlyList<RigProblem> Problems => _problems ??= ExamineAll();
 
         public override void OnInspectorGUI()
         {
@@ -34,11 +35,14 @@ namespace NeuronMocap.Unity.EditorTools
             if (_report is null || Event.current.type == EventType.Layout)
             {
                 _report = DriverReport.Of(driver, Application.isPlaying);
-                _problems ??= Examine();
+                _smoothing = SmoothingReport.Of(driver);
+                _problems ??= ExamineAll();
             }
 
             ReportGui.Headline(_report.Severity, _report.Title);
             ReportGui.Message(_report.Severity, _report.Message);
+            foreach (ReportRow row in _smoothing)
+                ReportGui.Row(row);
 
             // In play mode the figure has the performer's pose, and its rest pose is already captured.
             if (Application.isPlaying)
@@ -54,6 +58,8 @@ namespace NeuronMocap.Unity.EditorTools
         protected virtual void DrawRestPose()
         {
         }
+
+        private RigProblem[] ExamineAll() => Examine().Concat(PhysicsCheck.Examine((FigureDriver)target)).ToArray();
 
         private void OnEnable()
         {
@@ -81,6 +87,7 @@ namespace NeuronMocap.Unity.EditorTools
             "_performerName" => serializedObject.Is("_performerChoice", (int)PerformerChoice.ByIndex),
             "_scale" => serializedObject.Is("_automaticScale", true),
             "_groundHeight" or "_footBlendTime" => serializedObject.Is("_footPlanting", false),
+            "_partSmoothing" => serializedObject.Is("_smoothing", false),
             "_idleBlendTime" => serializedObject.Is("_whenIdle", (int)IdleBehaviour.Hold),
             _ => false,
         };

@@ -21,6 +21,9 @@ namespace NeuronMocap.Unity.EditorTools
         [MenuItem(Menu + "Skeleton View", false, Priority)]
         public static void CreateView(MenuCommand command) => Create<SkeletonView>("Skeleton View", command);
 
+        [MenuItem(Menu + "Performer Overlay", false, Priority)]
+        public static void CreateOverlay(MenuCommand command) => Create<PerformerOverlay>("Performer Overlay", command);
+
         [MenuItem(Menu + "Humanoid Driver on Selection", false, Priority + 20)]
         public static void AddHumanoidDriver() => AddToSelection<HumanoidDriver>();
 
@@ -32,6 +35,16 @@ namespace NeuronMocap.Unity.EditorTools
 
         [MenuItem(Menu + "Generic Rig Driver on Selection", true)]
         public static bool CanAddGenericDriver() => Targets<GenericRigDriver>().Any();
+
+        [MenuItem(Menu + "Add Colliders", false, Priority + 20)]
+        public static void AddColliders()
+        {
+            foreach (FigureDriver driver in SelectedDrivers())
+                ColliderCommand.Run(driver);
+        }
+
+        [MenuItem(Menu + "Add Colliders", true)]
+        public static bool CanAddColliders() => SelectedDrivers().Length > 0;
 
         // Everything needed for a first look, in the open scene. Existing objects are not created again.
         [MenuItem(Menu + "Quick Start Scene", false, Priority + 40)]
@@ -53,6 +66,12 @@ namespace NeuronMocap.Unity.EditorTools
             Selection.activeGameObject = created;
             return component;
         }
+
+        private static FigureDriver[] SelectedDrivers() => Selection.gameObjects
+            .Where(target => !EditorUtility.IsPersistent(target))
+            .Select(target => target.GetComponent<FigureDriver>())
+            .Where(driver => driver != null)
+            .ToArray();
 
         private static GameObject[] Targets<T>()
             where T : Component =>

@@ -20,6 +20,8 @@ namespace NeuronMocap.Unity.EditorTools
 
         public static DriverReport Of(FigureDriver driver, bool isPlaying)
         {
+            if (driver.IsPosed)
+                return new DriverReport(Severity.Good, "Moved by Timeline", string.Empty);
             if (!isPlaying)
                 return new DriverReport(Severity.None, "Moves in play mode", string.Empty);
             if (!driver.isActiveAndEnabled)

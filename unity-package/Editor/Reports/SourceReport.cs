@@ -64,6 +64,9 @@ namespace NeuronMocap.Unity.EditorTools
                 "Lost Frames",
                 PerformerRow.Losses(source.LostFrames, figures.MotionFrames),
                 source.LostFrames == 0 ? Severity.None : share > 0.01 ? Severity.Error : Severity.Warning));
+            if (source.Resample && receives)
+                AddDelay(rows, source);
+
             rows.Add(new ReportRow("Frames", PerformerRow.Number(figures.MotionFrames, "#,0")));
             if (figures.Reconnects > 0)
                 rows.Add(new ReportRow("Reconnects", PerformerRow.Number(figures.Reconnects, "0"), Severity.Warning));
@@ -75,6 +78,24 @@ namespace NeuronMocap.Unity.EditorTools
                 rows.Add(new ReportRow("Format", format, status.Format == StreamFormat.Text ? Severity.Warning : Severity.None));
 
             return rows.ToArray();
+        }
+
+        // A stream needs its delay when frames are uneven. A shorter delay shows as late frames.
+        private static void AddDelay(List<ReportRow> rows, MocapSource source)
+        {
+            float needed = 0;
+            long late = 0;
+            foreach (Performer performer in source.Performers)
+            {
+                needed = Math.Max(needed, performer.IsLive ? performer.NeededDelay * 1000 : 0);
+                late += performer.LateFrames;
+            }
+
+            rows.Add(new ReportRow(
+                "Delay",
+                $"{PerformerRow.Number(source.Delay, "0")} ms; the stream needs {PerformerRow.Number(needed, "0")} ms",
+                needed > source.Delay ? Severity.Warning : Severity.None));
+            rows.Add(new ReportRow("Late Frames", PerformerRow.Number(late, "#,0")));
         }
 
         private static string? FormatName(StreamFormat format) => format switch

@@ -10,5 +10,10 @@ namespace NeuronMocap.Unity
 
         /// <summary>Before the Animator. Animations replace the motion of the bones that they animate.</summary>
         Update,
+
+        /// <summary>
+        /// In each physics step. Bones with a kinematic Rigidbody move through physics, so that they push other bodies with the right speed.
+        /// </summary>
+        Physics,
     }
 }

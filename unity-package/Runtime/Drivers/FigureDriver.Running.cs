@@ -62,6 +62,8 @@ namespace NeuronMocap.Unity
             _hasPose = false;
             _way = default;
             _rig?.Writer.End();
+            _rig?.Bodies.End();
+            EndSteps();
         }
 
         private protected void OnValidate() => _rigProblem = null;
@@ -70,6 +72,8 @@ namespace NeuronMocap.Unity
         {
             if (_driveTime == DriveTime.Update)
                 Drive();
+            else if (_driveTime == DriveTime.Physics)
+                FollowClock();
         }
 
         private void LateUpdate()
@@ -81,6 +85,11 @@ namespace NeuronMocap.Unity
         private void Drive()
         {
             IsDriving = false;
+            if (IsPosed)
+            {
+                Problem = string.Empty;
+                return;
+            }
 
             // Also without a figure, because a figure may be built only when its performer is known.
             Performer = FindPerformer();
@@ -96,7 +105,7 @@ namespace NeuronMocap.Unity
 
             Blend(isLive);
             if (_hasPose)
-                _rig!.Writer.Write(_rig.Pose, Mathf.Clamp01(_weight) * _presence);
+                Write(_rig!, Mathf.Clamp01(_weight) * _presence);
 
             IsDriving = isLive && _hasPose;
             Problem = Explain();
@@ -162,6 +171,17 @@ namespace NeuronMocap.Unity
                 _body = performer.BodyVersion;
             }
 
+            SetOptions(rig);
+            if (!rig.TryRetarget(PlaceOnStage(performer, PoseOf(performer), rig)))
+                return;
+
+            _hasPose = true;
+            PlantFeet(performer, rig);
+            MoveRoot(performer, rig);
+        }
+
+        private void SetOptions(FigureRig rig)
+        {
             RetargetOptions options = rig.Options;
             options.RootMotion = _rootMotion;
             options.HeightOffset = float.IsFinite(_heightOffset) ? _heightOffset : 0;
@@ -170,12 +190,6 @@ namespace NeuronMocap.Unity
             options.Weights.Reset();
             _partWeights.CopyTo(options.Weights);
             CopyBoneWeights(options.Weights);
-            if (!rig.TryRetarget(PlaceOnStage(performer, rig)))
-                return;
-
-            _hasPose = true;
-            PlantFeet(performer, rig);
-            MoveRoot(performer, rig);
         }
 
         // With in-place root motion, feet slide by design.
@@ -191,7 +205,7 @@ namespace NeuronMocap.Unity
             options.GroundHeight = float.IsFinite(_groundHeight) ? _groundHeight : 0;
             options.BlendIn = options.BlendOut = TimeSpan.FromSeconds(_footBlendTime >= 0 ? Math.Min(_footBlendTime, 1) : 0);
             options.FootRotation = _footRotation;
-            rig.PlantFeet(performer.Contacts, performer.Time);
+            rig.PlantFeet(performer.Contacts, TimeOf(performer));
         }
 
         // Updates the weight of the pose while data comes and goes.
@@ -204,6 +218,7 @@ namespace NeuronMocap.Unity
         private void RestoreRest()
         {
             _rig?.Writer.Restore();
+            _rig?.Bodies.Restore();
             _hasPose = false;
         }
     }

@@ -13,9 +13,8 @@ namespace NeuronMocap.Unity
         private BoneTransform[]? _placed;
 
         // The figure's steps are scaled, but the distance of its stage is not.
-        private ReadOnlySpan<BoneTransform> PlaceOnStage(Performer performer, FigureRig rig)
+        private ReadOnlySpan<BoneTransform> PlaceOnStage(Performer performer, ReadOnlySpan<BoneTransform> pose, FigureRig rig)
         {
-            ReadOnlySpan<BoneTransform> pose = performer.LocalPose;
             Vector3 offset = performer.StageOffset;
             float scale = rig.Scale;
             if (offset == default || scale == 1 || !(scale > 0))

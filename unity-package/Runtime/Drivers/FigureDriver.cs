@@ -29,7 +29,7 @@ namespace NeuronMocap.Unity
         [SerializeField]
         private string _performerName = string.Empty;
 
-        [Tooltip("Late Update: after the Animator, so that the motion wins. Update: before it.")]
+        [Tooltip("Late Update: after the Animator, so that the motion wins. Update: before it. Physics: in physics steps, so that bodies in the way are pushed.")]
         [SerializeField]
         private DriveTime _driveTime;
 
@@ -78,6 +78,15 @@ namespace NeuronMocap.Unity
         [Tooltip("Keep: a planted foot rolls like the performer's. Flatten: its whole sole stays on the ground.")]
         [SerializeField]
         private FootRotation _footRotation;
+
+        [Header("Smoothing")]
+        [Tooltip("Remove noise from the motion, with a delay that the inspector shows. Off: the figure follows the motion as it is.")]
+        [SerializeField]
+        private bool _smoothing;
+
+        [Tooltip("How strongly each body part is smoothed.")]
+        [SerializeField]
+        private PartSmoothing _partSmoothing = new PartSmoothing();
 
         [Header("Weights")]
         [Tooltip("How much of the motion the figure follows. The remainder comes from its rest pose or its Animator.")]
@@ -250,7 +259,7 @@ namespace NeuronMocap.Unity
         /// <summary>Gets the source in use: <see cref="Source"/>, or the source that was found. Null if there is none.</summary>
         public MocapSource? ActiveSource { get; private set; }
 
-        /// <summary>Gets whether a live performer moved the figure in this frame.</summary>
+        /// <summary>Gets whether a live performer moved the figure in this frame, or in the latest physics step.</summary>
         public bool IsDriving { get; private set; }
 
         /// <summary>Gets the reason why the figure does not move, and the setting to change. Empty if there is no problem.</summary>

@@ -20,7 +20,10 @@ namespace NeuronMocap.Unity
             Root = nodes[0].parent;
             Note = note;
             Pose = new RetargetedPose(target);
+            Mix = new PoseMix(target);
+            Nodes = nodes;
             Writer = new PoseWriter(nodes, target);
+            Bodies = new BodyWriter(nodes, target, Writer);
             _planter = new FootPlanter(target);
             _retargeter = new Retargeter(target, SkeletonBody.GetDefault(), new RetargetOptions());
         }
@@ -36,7 +39,13 @@ namespace NeuronMocap.Unity
 
         public RetargetedPose Pose { get; }
 
+        public PoseMix Mix { get; }
+
+        public Transform[] Nodes { get; }
+
         public PoseWriter Writer { get; }
+
+        public BodyWriter Bodies { get; }
 
         public RetargetOptions Options => _retargeter.Options;
 

@@ -31,6 +31,7 @@ namespace NeuronMocap.Unity
             _isTurned = new bool[nodes.Length];
             _isMoved = new bool[nodes.Length];
             _isBetween = new bool[nodes.Length];
+            Skipped = new bool[nodes.Length];
             _restRotations = new Quaternion[nodes.Length];
             _restPositions = new Vector3[nodes.Length];
             for (int node = 0; node < nodes.Length; node++)
@@ -48,6 +49,9 @@ namespace NeuronMocap.Unity
             _writtenPositions = Array.ConvertAll(nodes, node => node.localPosition);
         }
 
+        // Transforms that another writer moves.
+        public bool[] Skipped { get; }
+
         public void Write(RetargetedPose pose, float weight)
         {
             if (!_hasBegun)
@@ -58,7 +62,7 @@ namespace NeuronMocap.Unity
             for (int node = 0; node < _nodes.Length; node++)
             {
                 Transform transform = _nodes[node];
-                if (transform == null)
+                if (transform == null || Skipped[node])
                     continue;
 
                 if (pose.IsDriven(node))

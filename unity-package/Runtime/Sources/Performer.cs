@@ -72,6 +72,27 @@ namespace NeuronMocap.Unity
         public long RejectedFrames => _stream.Rejected;
 
         /// <summary>
+        /// Gets the delay from the arrival of a frame to the frame on the screen, in seconds: the source's delay, or the age of the newest frame if
+        /// that is longer.
+        /// </summary>
+        public float Latency => Math.Max(_sampling.Delay, SecondsSinceFrame);
+
+        /// <summary>
+        /// Gets the delay that hides the jitter of the stream, in seconds: one frame plus four times the mean deviation of the arrivals. A shorter
+        /// <see cref="MocapSource.Delay"/> makes frames late.
+        /// </summary>
+        public float NeededDelay => (float)(_buffer.FrameInterval + (4 * _buffer.Jitter));
+
+        /// <summary>Gets how far frames arrive from their even times, in seconds, as a mean over the latest frames.</summary>
+        public float Jitter => (float)_buffer.Jitter;
+
+        /// <summary>
+        /// Gets the number of frames that arrived too late to be shown at their time. It starts again when a timing setting of the source changes. 0
+        /// while the source does not resample.
+        /// </summary>
+        public long LateFrames => _sampling.Resamples ? _buffer.Late : 0;
+
+        /// <summary>
         /// Gets the sizes of the performer, from the stream or the command channel, or else the default sizes. The scale of the source's stage applies.
         /// </summary>
         public SkeletonBody Body { get; private set; }
@@ -145,6 +166,11 @@ namespace NeuronMocap.Unity
 
         // Increases when the performer's place changes without a movement.
         internal int PlacementVersion { get; private set; }
+
+        internal SamplingSettings Sampling => _sampling;
+
+        // Brings another pose of this performer, as received, to the source's stage.
+        internal void PlaceOnStage(Span<BoneTransform> pose) => _placement.TryApply(pose);
 
         // The time of this rendered frame, in seconds of SourceClock.
         internal double Time { get; private set; }

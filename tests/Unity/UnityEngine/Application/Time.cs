@@ -6,14 +6,18 @@ public static class Time
 {
     private static double _now;
     private static double _unscaled;
+    private static double _fixed;
     private static float _delta;
     private static float _unscaledDelta;
     private static float _fixedDelta = 0.02f;
     private static int _frame;
 
-    public static float time => (float)Main(_now);
+    // In FixedUpdate, times and intervals are those of the physics step.
+    public static bool inFixedTimeStep { get; private set; }
 
-    public static double timeAsDouble => Main(_now);
+    public static float time => (float)timeAsDouble;
+
+    public static double timeAsDouble => Main(inFixedTimeStep ? _fixed : _now);
 
     public static float unscaledTime => (float)Main(_unscaled);
 
@@ -23,9 +27,11 @@ public static class Time
 
     public static double realtimeSinceStartupAsDouble => Main(_unscaled);
 
-    public static float deltaTime => (float)Main(_delta * timeScale);
+    public static float deltaTime => (float)Main(inFixedTimeStep ? _fixedDelta : _delta * timeScale);
 
-    public static float unscaledDeltaTime => (float)Main(_unscaledDelta);
+    public static float unscaledDeltaTime => (float)Main(inFixedTimeStep ? fixedUnscaledDeltaTime : _unscaledDelta);
+
+    public static float fixedUnscaledDeltaTime => (float)Main(timeScale > 0 ? _fixedDelta / timeScale : _fixedDelta);
 
     public static float smoothDeltaTime => deltaTime;
 
@@ -35,7 +41,9 @@ public static class Time
         set => _fixedDelta = value;
     }
 
-    public static float fixedTime => time;
+    public static float fixedTime => (float)fixedTimeAsDouble;
+
+    public static double fixedTimeAsDouble => Main(_fixed);
 
     public static float timeSinceLevelLoad => time;
 
@@ -65,10 +73,19 @@ public static class Time
         _frame++;
     }
 
+    internal static void BeginFixedStep()
+    {
+        _fixed += _fixedDelta;
+        inFixedTimeStep = true;
+    }
+
+    internal static void EndFixedStep() => inFixedTimeStep = false;
+
     internal static void Restart()
     {
-        (_now, _unscaled, _delta, _unscaledDelta, _frame) = (0, 0, 0, 0, 0);
+        (_now, _unscaled, _fixed, _delta, _unscaledDelta, _frame) = (0, 0, 0, 0, 0, 0);
         (timeScale, maximumDeltaTime, captureDeltaTime) = (1, 1 / 3f, 0);
+        inFixedTimeStep = false;
         _fixedDelta = 0.02f;
     }
 

@@ -142,6 +142,7 @@ internal sealed class PlayerLoop : IDisposable
     {
         World.Clear();
         ScriptList.Clear();
+        PhysicsStep.Clear();
         PlayMode.ForgetListeners();
         ConsoleLog.Clear();
         GizmoLog.Clear();
@@ -168,9 +169,12 @@ internal sealed class PlayerLoop : IDisposable
         ScriptList.ForEach(_start);
         for (_physics += Time.deltaTime; World.IsPlaying && _physics >= Time.fixedDeltaTime; _physics -= Time.fixedDeltaTime)
         {
+            Time.BeginFixedStep();
             ScriptList.ForEach(_fixedUpdate);
             Animator.RunAll(inPhysics: true);
+            PhysicsStep.Run(Time.fixedDeltaTime);
             ScriptList.RunCoroutines(FrameMoment.AfterFixedUpdate);
+            Time.EndFixedStep();
         }
 
         _context.Run();

@@ -21,6 +21,11 @@ public class SphereCollider : Collider
 
 public class CapsuleCollider : Collider
 {
+    public Vector3 center { get; set; }
+
+    /// <summary>The axis of the capsule: 0 for X, 1 for Y, 2 for Z.</summary>
+    public int direction { get; set; } = 1;
+
     public float radius { get; set; } = 0.5f;
 
     public float height { get; set; } = 2;
@@ -29,27 +34,4 @@ public class CapsuleCollider : Collider
 public class MeshCollider : Collider
 {
     public bool convex { get; set; }
-}
-
-public class Rigidbody : Component
-{
-    public bool isKinematic { get; set; }
-
-    public bool useGravity { get; set; } = true;
-
-    public Vector3 position
-    {
-        get => transform.position;
-        set => transform.position = value;
-    }
-
-    public Quaternion rotation
-    {
-        get => transform.rotation;
-        set => transform.rotation = value;
-    }
-
-    public void MovePosition(Vector3 position) => this.position = position;
-
-    public void MoveRotation(Quaternion rot) => rotation = rot;
 }

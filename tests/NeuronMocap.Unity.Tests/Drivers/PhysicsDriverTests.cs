@@ -1,0 +1,172 @@
+using NeuronMocap.Server;
+using NeuronMocap.Skeleton;
+using NeuronMocap.Unity.Tests.Infrastructure;
+using NeuronMocap.Unity.Tests.StandIn;
+using Numerics = System.Numerics;
+
+namespace NeuronMocap.Unity.Tests.Drivers;
+
+public sealed class PhysicsDriverTests : SourceFixture
+{
+    private const float Speed = 0.5f;
+
+    [Fact]
+    public void A_figure_with_colliders_takes_the_performers_pose()
+    {
+        TestFigure figure = TestFigure.Build("Figure");
+        HumanoidDriver driver = DriveWithPhysics(figure, new MovingActor(0));
+        Loop.RunUntil(() => driver.IsDriving);
+        Loop.RunFor(0.3f);
+
+        foreach (Bone bone in (Bone[])[Bone.Hips, Bone.Spine2, Bone.Head, Bone.LeftForeArm, Bone.RightHand, Bone.LeftHandIndex2, Bone.LeftFoot])
+            Assert.Equal(0, Quaternion.Angle(driver.Performer!.GetRotation(bone), figure.Turn(bone)), 0.5f);
+
+        Assert.Empty(ConsoleLog.Entries);
+    }
+
+    // Steps have different times even if several belong to one rendered frame. Otherwise half of the speeds would be 0.
+    [Fact]
+    public void Bodies_have_the_speed_of_the_performer_in_every_step()
+    {
+        TestFigure figure = TestFigure.Build("Figure");
+        HumanoidDriver driver = DriveWithPhysics(figure, new MovingActor(Speed));
+        Rigidbody hips = figure[Bone.Hips].GetComponent<Rigidbody>();
+        var speeds = new List<float>();
+        new GameObject("Probe").AddComponent<StepProbe>().OnStep = () => speeds.Add(hips.velocity.magnitude);
+        Loop.RunUntil(() => driver.IsDriving);
+        Loop.RunFor(0.5f);
+        speeds.Clear();
+        Loop.RunUntil(() => speeds.Count > 100);
+
+        // The figure's legs have 0.8 of the length, and its root is scaled by 1.5.
+        speeds.Sort();
+        Assert.InRange(speeds[speeds.Count / 2], 0.6f * Speed, 2.4f * Speed);
+        Assert.True(speeds.Count(static speed => speed < 0.1f * Speed) < speeds.Count / 4, string.Join(' ', speeds));
+    }
+
+    [Fact]
+    public void Leaving_physics_gives_all_bones_back_to_the_transforms()
+    {
+        TestFigure figure = TestFigure.Build("Figure");
+        HumanoidDriver driver = DriveWithPhysics(figure, new MovingActor(0));
+        Loop.RunUntil(() => driver.IsDriving);
+        AvatarStream stream = driver.Performer!.Stream;
+        Loop.RunFor(0.1f);
+        Assert.Equal(2, BufferCount(stream));
+
+        driver.DriveTime = DriveTime.LateUpdate;
+        Loop.Frame();
+        Assert.Equal(0, Quaternion.Angle(driver.Performer!.GetRotation(Bone.LeftHand), figure.Turn(Bone.LeftHand)), 0.2f);
+        Assert.Equal(1, BufferCount(stream));
+
+        driver.DriveTime = DriveTime.Physics;
+        Loop.RunFor(0.1f);
+        Assert.Equal(2, BufferCount(stream));
+        driver.enabled = false;
+        Assert.Equal(1, BufferCount(stream));
+    }
+
+    [Fact]
+    public void Frames_with_steps_allocate_nothing()
+    {
+        TestFigure figure = TestFigure.Build("Figure");
+        HumanoidDriver driver = DriveWithPhysics(figure, new MovingActor(Speed));
+        (driver.Smoothing, driver.FootPlanting) = (true, true);
+        AddProp(driver, hasBody: true);
+        Loop.RunUntil(() => driver.IsDriving);
+        Loop.RunFor(0.2f);
+
+        Assert.Equal(0, Infrastructure.Measure.BytesPerFrame(Loop, driver, "FixedUpdate", "Update"));
+    }
+
+    [Fact]
+    public void A_prop_with_a_body_is_in_the_hand_after_the_same_step()
+    {
+        TestFigure figure = TestFigure.Build("Figure");
+        HumanoidDriver driver = DriveWithPhysics(figure, new MovingActor(Speed));
+        HandProp prop = AddProp(driver, hasBody: true);
+        Loop.RunUntil(() => driver.IsDriving);
+        Loop.RunFor(0.3f);
+
+        AssertHeld(prop, figure[Bone.RightHand]);
+        Assert.InRange(prop.GetComponent<Rigidbody>().velocity.magnitude, 0.1f * Speed, 10 * Speed);
+    }
+
+    [Fact]
+    public void A_prop_without_a_body_follows_any_driver_in_the_same_frame()
+    {
+        TestFigure figure = TestFigure.Build("Figure");
+        HumanoidDriver driver = figure.Drive(AddSimulator());
+        HandProp prop = AddProp(driver, hasBody: false);
+        Loop.RunUntil(() => driver.IsDriving);
+        Loop.Frame();
+
+        AssertHeld(prop, figure[Bone.RightHand]);
+    }
+
+    [Fact]
+    public void A_prop_keeps_the_place_that_it_was_given()
+    {
+        TestFigure figure = TestFigure.Build("Figure");
+        HandProp prop = new GameObject("Prop").AddComponent<HandProp>();
+        Assert.False(prop.HoldAsPlaced());
+        prop.Driver = figure.Drive(null);
+        prop.transform.SetPositionAndRotation(figure[Bone.RightHand].position + Vector3.up, Quaternion.Euler(10, 20, 30));
+
+        Assert.True(prop.HoldAsPlaced());
+        (Vector3 position, Quaternion rotation) = (prop.transform.position, prop.transform.rotation);
+        Loop.Frame();
+
+        Assert.Equal(0, (position - prop.transform.position).magnitude, 1e-4f);
+        Assert.Equal(0, Quaternion.Angle(rotation, prop.transform.rotation), 0.1f);
+        Assert.Equal(1, prop.PositionOffset.magnitude, 1e-4f);
+    }
+
+    private static void AssertHeld(HandProp prop, Transform hand)
+    {
+        Vector3 place = hand.position + (hand.rotation * prop.PositionOffset);
+        Assert.Equal(0, (place - prop.transform.position).magnitude, 0.001f);
+        Assert.Equal(0, Quaternion.Angle(hand.rotation * Quaternion.Euler(prop.RotationOffset), prop.transform.rotation), 0.1f);
+    }
+
+    private static HandProp AddProp(FigureDriver driver, bool hasBody)
+    {
+        HandProp prop = new GameObject("Sword").AddComponent<HandProp>();
+        (prop.Driver, prop.PositionOffset, prop.RotationOffset) = (driver, new Vector3(0, 0.1f, 0.02f), new Vector3(0, 90, 0));
+        if (hasBody)
+            prop.gameObject.AddComponent<Rigidbody>().isKinematic = true;
+
+        return prop;
+    }
+
+    private static int BufferCount(AvatarStream stream) => ((Array)Infrastructure.Measure.Field(stream, "_buffers")!).Length;
+
+    private HumanoidDriver DriveWithPhysics(TestFigure figure, MotionSource actor)
+    {
+        HumanoidDriver driver = figure.Drive(Add(Serve(actor)));
+        FigureColliders.Add(driver);
+        driver.DriveTime = DriveTime.Physics;
+        return driver;
+    }
+
+    // Bent, and moving forward at a steady speed, in metres per second.
+    private sealed class MovingActor(float speed) : MotionSource
+    {
+        public override double FrameRate => 100;
+
+        public override long? FrameCount => null;
+
+        public override bool HasDisplacement => true;
+
+        public override void GetPose(long frame, Span<BoneTransform> pose)
+        {
+            SkeletonBody.GetDefault().CopyRestPose(pose);
+            for (int bone = 1; bone < BoneHierarchy.BoneCount; bone++)
+                pose[bone] = pose[bone] with { Rotation = Numerics.Quaternion.CreateFromAxisAngle(Numerics.Vector3.UnitX, 0.1f) };
+
+            pose[0] = pose[0] with { Position = pose[0].Position + new Numerics.Vector3(0, 0, speed * frame) };
+        }
+
+        public override FootContacts GetFootContacts(long frame) => new(false, false);
+    }
+}

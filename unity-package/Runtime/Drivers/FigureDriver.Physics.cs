@@ -1,0 +1,92 @@
+#nullable enable
+
+using System;
+using NeuronMocap.Retargeting;
+using UnityEngine;
+using Quaternion = UnityEngine.Quaternion;
+using Vector3 = UnityEngine.Vector3;
+
+namespace NeuronMocap.Unity
+{
+    // Moving the figure in physics steps.
+    public abstract partial class FigureDriver
+    {
+        [NonSerialized]
+        private readonly StepClock _stepClock = new StepClock();
+
+        [NonSerialized]
+        private readonly StepSampler _stepSampler = new StepSampler();
+
+        [NonSerialized]
+        private bool _isStep;
+
+        internal FigureRig? FindRig(out string problem)
+        {
+            problem = string.Empty;
+            return _rig ?? CreateRig(out problem);
+        }
+
+        // In a physics step, the place that the bone is moving to.
+        internal bool TryGetBonePose(HumanoidBone bone, out Vector3 position, out Quaternion rotation)
+        {
+            (position, rotation) = (Vector3.zero, Quaternion.identity);
+            if (!(FindRig(out _) is { } rig) || !(rig.Target.GetNode(bone) is var node && node >= 0) || rig.Nodes[node] == null)
+                return false;
+            if (_driveTime == DriveTime.Physics && Time.inFixedTimeStep && _hasPose)
+                return rig.Bodies.TryGetTarget(node, out position, out rotation);
+
+            (position, rotation) = (rig.Nodes[node].position, rig.Nodes[node].rotation);
+            return true;
+        }
+
+        private void FixedUpdate()
+        {
+            if (_driveTime != DriveTime.Physics)
+                return;
+
+            _isStep = true;
+            try
+            {
+                Drive();
+            }
+            finally
+            {
+                _isStep = false;
+            }
+
+            if (Performer is null)
+                EndSteps();
+        }
+
+        private void FollowClock()
+        {
+            // A file follows the time of the game.
+            bool isFile = ActiveSource is { Kind: SourceKind.BvhFile or SourceKind.Recording };
+            if (Performer is { } performer)
+                _stepClock.Follow(Time.timeAsDouble, performer.Time, isFile ? 1 : Time.timeScale);
+        }
+
+        private void EndSteps()
+        {
+            _stepSampler.Release();
+            _stepClock.Reset();
+        }
+
+        // The time of the pose on the source's clock.
+        private double TimeOf(Performer performer) =>
+            _isStep && _stepClock.IsStarted ? _stepClock.ToSource(Time.fixedTimeAsDouble) : performer.Time;
+
+        private void Write(FigureRig rig, float weight)
+        {
+            if (_isStep)
+            {
+                rig.Bodies.Write(rig.Pose, weight);
+                return;
+            }
+
+            EndSteps();
+            rig.Bodies.End();
+            rig.Writer.Write(rig.Pose, weight);
+        }
+    }
+}

@@ -1,0 +1,56 @@
+#nullable enable
+
+using System;
+using NeuronMocap.Skeleton;
+using UnityEngine;
+
+namespace NeuronMocap.Unity
+{
+    // Poses that do not come from a performer, such as those of Timeline. Also in edit mode.
+    public abstract partial class FigureDriver
+    {
+        // While the figure has such a pose, it does not follow its performer.
+        internal bool IsPosed { get; private set; }
+
+        internal bool AddPose(ReadOnlySpan<BoneTransform> pose, SkeletonBody body, float weight)
+        {
+            if (!TryBind())
+            {
+                Problem = _rigProblem!;
+                return false;
+            }
+
+            FigureRig rig = _rig!;
+            rig.SetBody(body);
+            _retargeted = null;
+            SetOptions(rig);
+            if (!rig.TryRetarget(pose))
+                return false;
+
+            rig.Mix.Add(rig.Pose, weight);
+            return true;
+        }
+
+        // Moves the figure to the mean of the poses that were added.
+        internal void EndPose()
+        {
+            FigureRig rig = _rig!;
+            rig.Mix.CopyTo(rig.Pose);
+            rig.Bodies.End();
+            rig.Writer.Write(rig.Pose, Mathf.Clamp01(_weight) * Mathf.Clamp01(rig.Mix.Weight));
+            rig.Mix.Clear();
+            IsPosed = _hasPose = true;
+        }
+
+        // In edit mode, the figure returns to rest. In play mode, it follows its performer again.
+        internal void ReleasePose()
+        {
+            if (!IsPosed)
+                return;
+
+            IsPosed = false;
+            if (!Application.isPlaying)
+                Rebind();
+        }
+    }
+}

@@ -1,0 +1,111 @@
+#nullable enable
+
+using NeuronMocap.Retargeting;
+using UnityEngine;
+using Quaternion = UnityEngine.Quaternion;
+using Vector3 = UnityEngine.Vector3;
+
+namespace NeuronMocap.Unity
+{
+    /// <summary>
+    /// Moves this object, such as a sword or a ball, with a hand of a figure or another bone. With a kinematic Rigidbody, the object moves through
+    /// physics and pushes other bodies with the speed of the hand. Otherwise it follows after all drivers.
+    /// </summary>
+    [AddComponentMenu("NeuronMocap/Hand Prop")]
+    [HelpURL(HelpPage.Components + "#hand-prop")]
+    [DefaultExecutionOrder(100)]
+    public sealed class HandProp : MonoBehaviour
+    {
+        [Tooltip("The driver of the figure that holds the object.")]
+        [SerializeField]
+        private FigureDriver? _driver;
+
+        [Tooltip("The bone that the object follows.")]
+        [SerializeField]
+        private HumanoidBone _bone = HumanoidBone.RightHand;
+
+        [Tooltip("Place of the object in the axes of the bone, in metres.")]
+        [SerializeField]
+        private Vector3 _positionOffset;
+
+        [Tooltip("Rotation of the object in the axes of the bone, in degrees.")]
+        [SerializeField]
+        private Vector3 _rotationOffset;
+
+        private bool _isHeld;
+
+        /// <summary>Gets or sets the driver of the figure that holds the object.</summary>
+        public FigureDriver? Driver
+        {
+            get => _driver;
+            set => _driver = value;
+        }
+
+        /// <summary>Gets or sets the bone that the object follows. The default is the right hand. A generic rig has bones for most of them.</summary>
+        public HumanoidBone Bone
+        {
+            get => _bone;
+            set => _bone = value;
+        }
+
+        /// <summary>Gets or sets the place of the object in the axes of the bone, in metres.</summary>
+        public Vector3 PositionOffset
+        {
+            get => _positionOffset;
+            set => _positionOffset = value;
+        }
+
+        /// <summary>Gets or sets the rotation of the object in the axes of the bone, as Euler angles in degrees.</summary>
+        public Vector3 RotationOffset
+        {
+            get => _rotationOffset;
+            set => _rotationOffset = value;
+        }
+
+        /// <summary>Sets the offsets so that the object stays at its present place relative to the bone.</summary>
+        /// <returns>False if there is no driver, or the figure has no such bone.</returns>
+        public bool HoldAsPlaced()
+        {
+            if (_driver == null || !_driver.TryGetBonePose(_bone, out Vector3 position, out Quaternion rotation))
+                return false;
+
+            Quaternion back = Quaternion.Inverse(rotation);
+            _positionOffset = back * (transform.position - position);
+            _rotationOffset = (back * transform.rotation).eulerAngles;
+            return true;
+        }
+
+        [ContextMenu("Hold As Placed")]
+        private void HoldAsPlacedFromMenu() => HoldAsPlaced();
+
+        private void OnDisable() => _isHeld = false;
+
+        private void FixedUpdate()
+        {
+            if (!(FindBody() is { } body) || !TryGetPlace(out Vector3 position, out Quaternion rotation))
+                return;
+
+            KinematicMove.To(body, position, rotation, jumps: !_isHeld);
+            _isHeld = true;
+        }
+
+        private void LateUpdate()
+        {
+            if (FindBody() is null && TryGetPlace(out Vector3 position, out Quaternion rotation))
+                transform.SetPositionAndRotation(position, rotation);
+        }
+
+        private Rigidbody? FindBody() => TryGetComponent(out Rigidbody body) && body.isKinematic ? body : null;
+
+        private bool TryGetPlace(out Vector3 position, out Quaternion rotation)
+        {
+            (position, rotation) = (Vector3.zero, Quaternion.identity);
+            if (_driver == null || !_driver.TryGetBonePose(_bone, out position, out rotation))
+                return false;
+
+            position += rotation * _positionOffset;
+            rotation *= Quaternion.Euler(_rotationOffset);
+            return true;
+        }
+    }
+}
