@@ -1,3 +1,4 @@
+using System.Diagnostics;
 using NeuronMocap.Server;
 using NeuronMocap.Skeleton;
 using NeuronMocap.Unity.Tests.Infrastructure;
@@ -24,19 +25,22 @@ public sealed class PhysicsDriverTests : SourceFixture
         Assert.Empty(ConsoleLog.Entries);
     }
 
-    // Steps have different times even if several belong to one rendered frame. Otherwise half of the speeds would be 0.
-    [Fact]
-    public void Bodies_have_the_speed_of_the_performer_in_every_step()
+    // Each step has its own pose. Otherwise, with three steps for each rendered frame, two of three speeds would be 0.
+    [Theory]
+    [InlineData(0.001)]
+    [InlineData(0.06)]
+    public void Bodies_have_the_speed_of_the_performer_in_every_step(double secondsPerFrame)
     {
         TestFigure figure = TestFigure.Build("Figure");
         HumanoidDriver driver = DriveWithPhysics(figure, new MovingActor(Speed));
+        driver.Source!.Delay = 100;
         Rigidbody hips = figure[Bone.Hips].GetComponent<Rigidbody>();
         var speeds = new List<float>();
         new GameObject("Probe").AddComponent<StepProbe>().OnStep = () => speeds.Add(hips.velocity.magnitude);
         Loop.RunUntil(() => driver.IsDriving);
-        Loop.RunFor(0.5f);
+        RunSlowly(secondsPerFrame, () => speeds.Count > 40);
         speeds.Clear();
-        Loop.RunUntil(() => speeds.Count > 100);
+        RunSlowly(secondsPerFrame, () => speeds.Count > 100);
 
         // The figure's legs have 0.8 of the length, and its root is scaled by 1.5.
         speeds.Sort();
@@ -120,6 +124,20 @@ public sealed class PhysicsDriverTests : SourceFixture
         Assert.Equal(0, (position - prop.transform.position).magnitude, 1e-4f);
         Assert.Equal(0, Quaternion.Angle(rotation, prop.transform.rotation), 0.1f);
         Assert.Equal(1, prop.PositionOffset.magnitude, 1e-4f);
+    }
+
+    // Renders frames of at least this duration, in real time.
+    private void RunSlowly(double secondsPerFrame, Func<bool> condition)
+    {
+        var watch = Stopwatch.StartNew();
+        double last = 0;
+        while (!condition())
+        {
+            SpinWait.SpinUntil(() => watch.Elapsed.TotalSeconds - last >= secondsPerFrame);
+            double now = watch.Elapsed.TotalSeconds;
+            Loop.Frame((float)(now - last));
+            last = now;
+        }
     }
 
     private static void AssertHeld(HandProp prop, Transform hand)
