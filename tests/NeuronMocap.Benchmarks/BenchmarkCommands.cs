@@ -1,6 +1,5 @@
 using System.CommandLine;
 using NeuronMocap.Benchmarks.Harness;
-using NeuronMocap.Benchmarks.Macro;
 using NeuronMocap.Benchmarks.Peers;
 
 namespace NeuronMocap.Benchmarks;

@@ -17,7 +17,12 @@ public sealed class MotionPlayerTests
         string[] broadcast;
         await using (var server = new Broadcaster(new BroadcasterOptions
         {
-            Sources = [source], AvatarNames = ["Ann"], Port = 0, IncludeDisplacement = true, FrameRate = BroadcasterOptions.MaxFrameRate, WaitForClient = true,
+            Sources = [source],
+            AvatarNames = ["Ann"],
+            Port = 0,
+            IncludeDisplacement = true,
+            FrameRate = BroadcasterOptions.MaxFrameRate,
+            WaitForClient = true,
         }))
         {
             server.Start();

@@ -1,5 +1,4 @@
 using System.Text.RegularExpressions;
-using Microsoft.CodeAnalysis.CSharp.Syntax;
 using NeuronMocap.Packaging.Tests.Infrastructure;
 using NeuronMocap.Tests.Infrastructure;
 using NeuronMocap.UnityPackager;

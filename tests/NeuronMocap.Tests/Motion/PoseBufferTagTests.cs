@@ -9,7 +9,10 @@ public sealed class PoseBufferTagTests
 {
     private readonly PoseBuffer _buffer = new(new PoseBufferOptions
     {
-        Delay = TimeSpan.Zero, MaxExtrapolation = TimeSpan.Zero, Interpolation = PoseInterpolationMethod.Linear, Capacity = 128,
+        Delay = TimeSpan.Zero,
+        MaxExtrapolation = TimeSpan.Zero,
+        Interpolation = PoseInterpolationMethod.Linear,
+        Capacity = 128,
     });
 
     private readonly BoneTransform[] _pose = new BoneTransform[BoneHierarchy.BoneCount];

@@ -89,7 +89,7 @@ namespace NeuronMocap.Unity.EditorTools
             if (Mathf.Abs(HeightOffset) > 1e-4f)
                 _notes.Add($"Hip Height Offset was not the vendor's usual {UsualHeightOffset} m, so Height Offset is the difference.");
             if (fields.FindNumber("physicalUpdate") > 0 || fields.FindNumber("motionUpdateMethod") > 0)
-                _notes.Add("Physical updates are not taken over. The driver moves the figure directly.");
+                _notes.Add("Physical updates are not taken over. For them, set Drive Time to Physics, and choose Add Colliders.");
         }
     }
 }
