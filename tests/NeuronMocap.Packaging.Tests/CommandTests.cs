@@ -52,7 +52,7 @@ public sealed class CommandTests : IDisposable
     }
 
     [Fact]
-    public async Task A_folder_outside_the_repository_is_told_what_to_name()
+    public async Task Outside_the_repository_the_error_names_the_option()
     {
         (int code, _, string error) = await RunAsync("--metas");
         Assert.Equal((1, "No folder unity-package is here or above; name the root of the repository with --repository."), (code, error.Trim()));

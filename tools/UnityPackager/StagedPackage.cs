@@ -30,7 +30,7 @@ internal sealed class StagedPackage
         {
             string source = mirrored.SourceIn(repository, configuration);
             if (!File.Exists(source))
-                throw new PackagerException($"{source} is missing: leave out --no-build.");
+                throw new PackagerException($"{source} is missing{(mirrored.Path.StartsWith(MirroredFile.Libraries, StringComparison.Ordinal) ? ": leave out --no-build" : string.Empty)}.");
 
             files[mirrored.Path] = File.ReadAllBytes(source);
         }

@@ -1,4 +1,5 @@
 using System.ComponentModel;
+using System.Runtime.ExceptionServices;
 
 namespace NeuronMocap;
 
@@ -47,18 +48,19 @@ public sealed class ObservableAvatar : INotifyPropertyChanged
     /// <summary>Number of frames that the server sent but that did not arrive: see <see cref="AvatarStatistics.Lost"/>.</summary>
     public long Lost => _lost;
 
-    internal void Update(in AvatarTotals totals)
+    // failure: takes the first exception of a handler.
+    internal void Update(in AvatarTotals totals, ref ExceptionDispatchInfo? failure)
     {
-        Set(ref _name, totals.Name, NameChanged);
-        Set(ref _frameRate, Math.Round(totals.FrameRate, 1), FrameRateChanged);
-        Set(ref _calculationRate, Math.Round(totals.CalculationRate, 1), CalculationRateChanged);
-        Set(ref _frames, totals.Frames, FramesChanged);
-        Set(ref _lost, totals.Lost, LostChanged);
+        Set(ref _name, totals.Name, NameChanged, ref failure);
+        Set(ref _frameRate, Math.Round(totals.FrameRate, 1), FrameRateChanged, ref failure);
+        Set(ref _calculationRate, Math.Round(totals.CalculationRate, 1), CalculationRateChanged, ref failure);
+        Set(ref _frames, totals.Frames, FramesChanged, ref failure);
+        Set(ref _lost, totals.Lost, LostChanged, ref failure);
     }
 
-    private void Set<T>(ref T field, T value, PropertyChangedEventArgs changed)
+    private void Set<T>(ref T field, T value, PropertyChangedEventArgs changed, ref ExceptionDispatchInfo? failure)
     {
         if (PropertyChange.TrySet(ref field, value))
-            PropertyChanged?.Invoke(this, changed);
+            PropertyChange.Raise(PropertyChanged, this, changed, ref failure);
     }
 }

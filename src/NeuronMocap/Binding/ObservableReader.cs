@@ -1,6 +1,7 @@
 using System.Collections.ObjectModel;
 using System.ComponentModel;
 using System.Diagnostics;
+using System.Runtime.ExceptionServices;
 using NeuronMocap.Delivery;
 
 namespace NeuronMocap;
@@ -16,7 +17,8 @@ namespace NeuronMocap;
 /// disposed.
 /// </para>
 /// <para>
-/// An exception of a handler goes to the context, and thus to the application's own handler. The properties that are left are reported in a later run.
+/// An exception of a handler goes to the context, and thus to the application's own handler, after all changes have been reported. Of several exceptions,
+/// it is the first.
 /// </para>
 /// </remarks>
 public sealed class ObservableReader : INotifyPropertyChanged, IContextWork, IDisposable
@@ -45,6 +47,7 @@ public sealed class ObservableReader : INotifyPropertyChanged, IContextWork, IDi
     private long _frames;
     private long _lost;
     private long _dropped;
+    private ExceptionDispatchInfo? _failure;
     private int _isTicking;
     private volatile bool _hasRates;
     private volatile bool _isDue;
@@ -161,22 +164,14 @@ public sealed class ObservableReader : INotifyPropertyChanged, IContextWork, IDi
     {
         _isDue = false;
         ConnectionStatus status = _reader.Status;
-        bool isComplete = false;
-        try
-        {
-            ShowAvatars(isRunning: status.State != ConnectionState.Stopped);
-            ShowStatus(status);
-            isComplete = true;
-        }
-        finally
-        {
-            // A handler has thrown: the next run reports the properties that are left.
-            if (!isComplete)
-                _isDue = true;
-        }
-
+        ShowAvatars(isRunning: status.State != ConnectionState.Stopped);
+        ShowStatus(status);
         if (status.State == ConnectionState.Stopped)
             Dispose();
+
+        ExceptionDispatchInfo? failure = _failure;
+        _failure = null;
+        failure?.Throw();
     }
 
     bool IContextWork.TryGetDue(out long due)
@@ -225,9 +220,9 @@ public sealed class ObservableReader : INotifyPropertyChanged, IContextWork, IDi
             ObservableAvatar avatar = _avatars[i];
             (int Sender, int AvatarIndex) key = (avatar.Sender, avatar.AvatarIndex);
             if (_totals.TryGetValue(key, out AvatarTotals totals))
-                avatar.Update(totals);
+                avatar.Update(totals, ref _failure);
             else
-                _avatars.RemoveAt(i);
+                ChangeList(i, added: null);
 
             _totals.Remove(key);
         }
@@ -235,14 +230,30 @@ public sealed class ObservableReader : INotifyPropertyChanged, IContextWork, IDi
         foreach (KeyValuePair<(int Sender, int AvatarIndex), AvatarTotals> entry in _totals)
         {
             var avatar = new ObservableAvatar(entry.Key.Sender, entry.Key.AvatarIndex);
-            avatar.Update(entry.Value);
-            _avatars.Add(avatar);
+            avatar.Update(entry.Value, ref _failure);
+            ChangeList(_avatars.Count, avatar);
+        }
+    }
+
+    // The list has changed when its handlers run. added: null to remove.
+    private void ChangeList(int index, ObservableAvatar? added)
+    {
+        try
+        {
+            if (added is null)
+                _avatars.RemoveAt(index);
+            else
+                _avatars.Insert(index, added);
+        }
+        catch (Exception exception)
+        {
+            _failure ??= ExceptionDispatchInfo.Capture(exception);
         }
     }
 
     private void Set<T>(ref T field, T value, PropertyChangedEventArgs changed)
     {
         if (PropertyChange.TrySet(ref field, value))
-            PropertyChanged?.Invoke(this, changed);
+            PropertyChange.Raise(PropertyChanged, this, changed, ref _failure);
     }
 }

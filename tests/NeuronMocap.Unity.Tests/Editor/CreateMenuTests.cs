@@ -106,6 +106,14 @@ public class CreateMenuTests
         Assert.InRange(figure.InverseTransformPoint(eye.position).z, 2, 5);
         Assert.True(Vector3.Angle(eye.forward, figure.position + Vector3.up - eye.position) < 1);
 
+        // A second quick start leaves the camera with the first figure.
+        ConsoleLog.Clear();
+        Undo.IncrementCurrentGroup();
+        CreateMenu.CreateQuickStart();
+        Assert.Same(figure, eye.GetComponent<FollowCamera>().Target);
+        Assert.Empty(ConsoleLog.Entries);
+        Undo.PerformUndo();
+
         Undo.PerformUndo();
         Assert.Equal(new Vector3(0, 1, -10), eye.position);
         Assert.True(eye.GetComponent<FollowCamera>() == null);

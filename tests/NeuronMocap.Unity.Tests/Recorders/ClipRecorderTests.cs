@@ -100,6 +100,48 @@ public sealed partial class ClipRecorderTests : IDisposable
         Assert.Contains(values[0].Skip(7).Take(95), static muscle => Math.Abs(muscle) > 0.1f);
     }
 
+    [Theory]
+    [InlineData(ClipKind.Humanoid, false)]
+    [InlineData(ClipKind.Humanoid, true)]
+    [InlineData(ClipKind.Generic, false)]
+    public void The_way_of_a_root_that_moves_belongs_to_the_clip(ClipKind kind, bool isBodyInWorld)
+    {
+        HumanPoseHandler.BodyIsInWorld = isBodyInWorld;
+        ClipTake[] takes = new ClipTake[2];
+        for (int i = 0; i < 2; i++)
+        {
+            Transform parent = new GameObject("Parent").transform;
+            parent.SetPositionAndRotation(new Vector3(4, 0, 1), Quaternion.Euler(0, 70, 0));
+            HumanoidFigure figure = HumanoidFigure.Build(SkeletonBody.GetDefault(), parent: parent);
+            ClipRecorder recorder = figure.Root.AddComponent<ClipRecorder>();
+            recorder.Kind = kind;
+            recorder.StartRecording();
+            _loop.Frame();
+
+            // The same way through the scene, of the root with the hips and of the hips alone.
+            Transform hips = figure.GetBone(Bone.Hips);
+            Transform root = figure.Root.transform;
+            var way = new Vector3(2, 0, -1);
+            var turn = Quaternion.Euler(0, 50, 0);
+            Vector3 place = root.position + way + (turn * (hips.position - root.position));
+            Quaternion rotation = turn * hips.rotation;
+            if (i == 0)
+                root.SetPositionAndRotation(root.position + way, turn * root.rotation);
+            else
+                hips.SetPositionAndRotation(place, rotation);
+
+            Assert.True((hips.position - place).magnitude < 1e-4f);
+            _loop.Frame();
+            takes[i] = recorder.Take!;
+        }
+
+        int values = kind == ClipKind.Humanoid ? 7 + 95 : takes[0].ValueCount;
+        for (int value = 0; value < values; value++)
+            Assert.Equal(takes[1].GetValue(1, value), takes[0].GetValue(1, value), 1e-3f);
+
+        Assert.True(Math.Abs(takes[0].GetValue(1, 0) - takes[0].GetValue(0, 0)) > 0.5f);
+    }
+
     [Fact]
     public void Goals_are_at_the_soles_and_hands()
     {

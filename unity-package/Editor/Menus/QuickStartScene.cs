@@ -47,8 +47,12 @@ namespace NeuronMocap.Unity.EditorTools
         // A camera that somebody has placed stays.
         private static void Follow(Camera camera, Transform figure)
         {
+            // It follows another figure.
+            if (camera.TryGetComponent(out FollowCamera _))
+                return;
+
             Transform eye = camera.transform;
-            if (camera.TryGetComponent(out FollowCamera _) || (eye.position - TemplatePosition).magnitude > 0.01f || Quaternion.Angle(eye.rotation, Quaternion.identity) > 0.1f)
+            if ((eye.position - TemplatePosition).magnitude > 0.01f || Quaternion.Angle(eye.rotation, Quaternion.identity) > 0.1f)
             {
                 Debug.Log($"NeuronMocap: the camera '{camera.name}' stays as it is. Add the component Follow Camera to it to see the figure.", camera);
                 return;

@@ -10,8 +10,8 @@ using UnityEngine.SceneManagement;
 
 namespace NeuronMocap.Unity.EditorTools
 {
-    // Puts the package's components in the place of the vendor's: in the open scenes, and in the scenes and prefabs below Assets. The dry run takes the
-    // same way and only leaves the changes out. Undo restores open scenes and prefabs. Other scenes are opened, saved and closed.
+    // Puts the package's components in the place of the vendor's: in the open scenes, and in the scenes and prefabs below Assets. The dry run follows
+    // the same path and only leaves the changes out. Undo restores open scenes and prefabs. Other scenes are opened, saved and closed.
     internal sealed class Migration
     {
         private const string UndoName = "Convert Vendor Components";
@@ -61,9 +61,12 @@ namespace NeuronMocap.Unity.EditorTools
             return _items;
         }
 
-        // Packages are read-only.
+        // Packages are read-only. Unity takes models for prefabs, too, but their files hold no components.
         private static string[] Find(string filter) => AssetDatabase.FindAssets(filter, new[] { "Assets" })
-            .Select(guid => AssetDatabase.GUIDToAssetPath(guid)).Distinct(StringComparer.Ordinal).OrderBy(path => path, StringComparer.Ordinal).ToArray();
+            .Select(guid => AssetDatabase.GUIDToAssetPath(guid)).Where(IsText).Distinct(StringComparer.Ordinal).OrderBy(path => path, StringComparer.Ordinal).ToArray();
+
+        private static bool IsText(string path) =>
+            path.EndsWith(".unity", StringComparison.OrdinalIgnoreCase) || path.EndsWith(".prefab", StringComparison.OrdinalIgnoreCase);
 
         private bool IsAffected(string path) => YamlFile.Read(path) is { } text && _guids.Keys.Any(text.Mentions);
 
@@ -105,8 +108,12 @@ namespace NeuronMocap.Unity.EditorTools
         private void VisitPrefab(string path)
         {
             GameObject? prefab = AssetDatabase.LoadAssetAtPath<GameObject>(path);
-            if (prefab != null && Visit(new MigrationFile(path, prefab)))
-                PrefabUtility.SavePrefabAsset(prefab);
+            if (prefab == null || !Visit(new MigrationFile(path, prefab)))
+                return;
+
+            PrefabUtility.SavePrefabAsset(prefab, out bool isSaved);
+            if (!isSaved)
+                _items.Add(new MigrationItem(path, "Whole file", string.Empty, "It could not be saved, so its file has not changed."));
         }
 
         // Returns whether the file has changed.

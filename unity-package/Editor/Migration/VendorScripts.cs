@@ -27,7 +27,7 @@ namespace NeuronMocap.Unity.EditorTools
             new VendorScript("NeuronTransformsInstanceVR", VendorKind.None, Headset),
             new VendorScript("NeuronVRAdapter", VendorKind.None, Headset),
             new VendorScript("NeuronOVRAdapter", VendorKind.None, Headset),
-            new VendorScript("TranceTransformsInstance", VendorKind.None, "It has no equal. Use a Generic Rig Driver for the rig."),
+            new VendorScript("TranceTransformsInstance", VendorKind.None, "There is no equivalent. Use a Generic Rig Driver for the rig."),
             new VendorScript("NeuronRigidbody", VendorKind.None, RigidBodies),
             new VendorScript("NeuronTracker", VendorKind.None, RigidBodies),
             new VendorScript("BoneLine", VendorKind.None, "Use a Skeleton View, which draws all bones of a performer."),

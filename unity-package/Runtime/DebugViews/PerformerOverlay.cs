@@ -57,6 +57,9 @@ namespace NeuronMocap.Unity
         /// <summary>Gets the lines as of the last update.</summary>
         public IReadOnlyList<string> Lines => _lines;
 
+        // Layout takes memory in every frame.
+        private void Awake() => useGUILayout = false;
+
         private void OnEnable() => _nextUpdate = 0;
 
         private void OnDisable() => _lines.Clear();
@@ -82,14 +85,8 @@ namespace NeuronMocap.Unity
 
         private void OnGUI()
         {
-            if (_lines.Count == 0)
-                return;
-
-            GUILayout.BeginArea(new Rect(_position.x, _position.y, Width, LineHeight * _lines.Count));
             for (int i = 0; i < _lines.Count; i++)
-                GUILayout.Label(_lines[i]);
-
-            GUILayout.EndArea();
+                GUI.Label(new Rect(_position.x, _position.y + (i * LineHeight), Width, LineHeight), _lines[i]);
         }
 
         private static string Describe(Performer performer) => performer.IsLive

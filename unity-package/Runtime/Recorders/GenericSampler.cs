@@ -7,23 +7,36 @@ namespace NeuronMocap.Unity
     // Samples the local rotations of a character's transforms, and the position of the transform that moves it.
     internal sealed class GenericSampler : ClipSampler
     {
+        private readonly Transform _root;
         private readonly Transform _mover;
+        private readonly TakeOrigin _origin;
         private readonly IReadOnlyList<Transform> _bones;
 
         // Paths start below the root, on which the clip will be played. mover: the hips. bones: all transforms that turn, including the hips.
         public GenericSampler(Transform root, Transform mover, IReadOnlyList<Transform> bones)
             : base(CreateProperties(root, mover, bones))
         {
+            _root = root;
             _mover = mover;
+            _origin = new TakeOrigin(root);
             _bones = bones;
         }
 
         protected override void Read()
         {
-            Put(_mover.localPosition);
+            _origin.Follow();
+            bool isRoot = _mover == _root || _mover.parent == null;
+            Put(isRoot ? _mover.localPosition : ToStart(_mover.position));
             for (int i = 0; i < _bones.Count; i++)
-                Put(_bones[i].localRotation);
+                Put(_bones[i] == _mover && !isRoot ? ToStart(_mover.rotation) : _bones[i].localRotation);
         }
+
+        // The local place of the mover, if the root had stayed.
+        private Vector3 ToStart(Vector3 place) =>
+            _mover.parent!.InverseTransformPoint(_root.TransformPoint(_origin.ToStart(_root.InverseTransformPoint(place))));
+
+        private Quaternion ToStart(Quaternion rotation) =>
+            Quaternion.Inverse(_mover.parent!.rotation) * _root.rotation * _origin.ToStart(Quaternion.Inverse(_root.rotation) * rotation);
 
         private static IReadOnlyList<ClipProperty> CreateProperties(Transform root, Transform mover, IReadOnlyList<Transform> bones)
         {

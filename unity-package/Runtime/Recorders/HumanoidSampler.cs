@@ -17,6 +17,7 @@ namespace NeuronMocap.Unity
         private readonly HumanPoseHandler _handler;
         private readonly bool _isInWorld;
         private readonly HumanoidGoals? _goals;
+        private readonly TakeOrigin _origin;
         private HumanPose _pose;
 
         public HumanoidSampler(Animator animator)
@@ -29,6 +30,7 @@ namespace NeuronMocap.Unity
         {
             _goals = goals;
             _root = animator.transform;
+            _origin = new TakeOrigin(_root);
             _scale = animator.humanScale > 0 ? animator.humanScale : 1;
             _handler = new HumanPoseHandler(animator.avatar!, _root);
             _isInWorld = IsBodyInWorld();
@@ -64,8 +66,9 @@ namespace NeuronMocap.Unity
                 rotation = Quaternion.Inverse(_root.rotation) * rotation;
             }
 
-            Put(position);
-            Put(rotation);
+            _origin.Follow();
+            Put(_origin.ToStart(position * _scale) / _scale);
+            Put(_origin.ToStart(rotation));
             foreach (float muscle in _pose.muscles)
                 Put(muscle);
 

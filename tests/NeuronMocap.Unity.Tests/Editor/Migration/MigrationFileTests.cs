@@ -70,6 +70,29 @@ public sealed class MigrationFileTests : IDisposable
     }
 
     [Fact]
+    public void A_prefab_that_Unity_does_not_save_is_reported()
+    {
+        AssetDatabase.AddFile(PrefabPath, VendorProject.File(
+            VendorProject.Object(1, "Figure"),
+            VendorProject.Script(3, 1, VendorProject.AnimatorGuid, "port: 7001"),
+            VendorProject.Object(10, "Sword", father: 2),
+            VendorProject.Script(12, 10, VendorProject.UnknownGuid, "speed: 3")));
+        string before = VendorProject.Read(PrefabPath);
+
+        MigrationItem item = Assert.Single(EditorTools.Migration.Convert(), static item => !item.IsConvertible);
+
+        Assert.Equal("It could not be saved, so its file has not changed.", item.Reason);
+        Assert.Equal(before, VendorProject.Read(PrefabPath));
+    }
+
+    [Fact]
+    public void Models_are_not_read()
+    {
+        AssetDatabase.AddFile("Assets/Model.fbx", "Kaydara FBX Binary");
+        Assert.Empty(EditorTools.Migration.Examine());
+    }
+
+    [Fact]
     public void Other_missing_scripts_are_not_lost()
     {
         AssetDatabase.AddFile(ScenePath, VendorProject.File(

@@ -42,16 +42,17 @@ public static partial class AssetDatabase
     public static string[] FindAssets(string filter, string[] searchInFolders)
     {
         string[] words = filter.Split(' ');
-        string extension = words[^1] switch
+        string[] extensions = words[^1] switch
         {
-            "t:Scene" => ".unity",
-            "t:Prefab" => ".prefab",
-            "t:MonoScript" => ".cs",
+            "t:Scene" => [".unity"],
+            // An imported model is a prefab, too.
+            "t:Prefab" => [".prefab", ".fbx"],
+            "t:MonoScript" => [".cs"],
             var other => throw new NotSupportedException(other),
         };
         return [.. PathsByGuid
             .Where(file => searchInFolders.Any(folder => file.Value.StartsWith(folder + "/", StringComparison.Ordinal)))
-            .Where(file => Path.GetExtension(file.Value) == extension)
+            .Where(file => extensions.Contains(Path.GetExtension(file.Value)))
             .Where(file => words[..^1].All(word => Path.GetFileName(file.Value).Contains(word, StringComparison.OrdinalIgnoreCase)))
             .Select(static file => file.Key)];
     }

@@ -15,8 +15,16 @@ public static class PrefabUtility
         where T : Object => FileIds.Of(componentOrGameObject)?.Source as T;
 
     /// <summary>Saves a prefab. Instances lose the components that it lost; the stand-in does not add what it gained.</summary>
-    public static GameObject SavePrefabAsset(GameObject asset)
+    public static GameObject SavePrefabAsset(GameObject asset) => SavePrefabAsset(asset, out _);
+
+    /// <summary>Unity refuses to save a prefab with a missing script.</summary>
+    public static GameObject SavePrefabAsset(GameObject asset, out bool savedSuccessfully)
     {
+        savedSuccessfully = asset.GetComponentsInChildren<Transform>(true)
+            .All(static child => GameObjectUtility.GetMonoBehavioursWithMissingScriptCount(child.gameObject) == 0);
+        if (!savedSuccessfully)
+            return asset;
+
         if (asset.transform.parent is not null || AssetDatabase.GetAssetPath(asset) is not { Length: > 0 } path)
             throw new ArgumentException("Can't save a Prefab that is not the root of an asset", nameof(asset));
 
