@@ -7,6 +7,9 @@ namespace NeuronMocap.Recording;
 // Writes the pieces in the ring to the files, until it is stopped or writing fails. Runs on one thread.
 internal sealed class RecordingThread(PieceRing ring, RecordingFiles files, TimeSpan flushInterval, RecordingClock clock)
 {
+    // The time is read only now and then.
+    private const int PiecesPerCheck = 64;
+
     // The open connections, two at most.
     private readonly List<(int Number, bool IsCalculation, SenderTable Senders)> _open = [];
     private readonly object _lock = new();
@@ -15,13 +18,16 @@ internal sealed class RecordingThread(PieceRing ring, RecordingFiles files, Time
     private TimeSpan _time;
     private bool _isDirty;
     private long _flushed;
+    private volatile bool _hasMetadata;
     private volatile bool _stopping;
 
-    // Any thread. The value is written with the next block.
+    // Any thread. The value is written with the next piece.
     public void SetMetadata(string key, string value)
     {
         lock (_lock)
             _metadata[key] = value;
+
+        _hasMetadata = true;
     }
 
     // Any thread. Pieces that are in the ring are still written.
@@ -39,7 +45,7 @@ internal sealed class RecordingThread(PieceRing ring, RecordingFiles files, Time
         {
             WriteMetadata();
             WritePieces();
-            TimeSpan left = flushInterval - RecordingClock.Between(_flushed, RecordingClock.Now);
+            TimeSpan left = UntilFlush();
             if (left <= TimeSpan.Zero)
                 Flush();
             else
@@ -55,6 +61,8 @@ internal sealed class RecordingThread(PieceRing ring, RecordingFiles files, Time
         Flush();
     }
 
+    private TimeSpan UntilFlush() => flushInterval - RecordingClock.Between(_flushed, RecordingClock.Now);
+
     private void Flush()
     {
         _flushed = RecordingClock.Now;
@@ -66,11 +74,11 @@ internal sealed class RecordingThread(PieceRing ring, RecordingFiles files, Time
 
     private void WriteMetadata()
     {
+        if (!_hasMetadata)
+            return;
+
         lock (_lock)
         {
-            if (_metadata.Count == 0)
-                return;
-
             // Not the current time: pieces that arrived earlier may still wait in the ring.
             RecordingWriter writer = files.Prepare(_time, 0, out TimeSpan time);
             foreach ((string key, string value) in _metadata)
@@ -81,17 +89,22 @@ internal sealed class RecordingThread(PieceRing ring, RecordingFiles files, Time
             }
 
             _metadata.Clear();
+            _hasMetadata = false;
             _isDirty = true;
         }
     }
 
+    // On a busy computer, or with much data, the ring is not empty for a long time. Values of the metadata and flushes do not wait for that.
     private void WritePieces()
     {
-        while (ring.TryPeek(out PieceRecord record))
+        for (int count = 1; ring.TryPeek(out PieceRecord record); count++)
         {
+            WriteMetadata();
             Write(record, ring.Peek(record));
             ring.Release(record);
             _isDirty = true;
+            if (count % PiecesPerCheck == 0 && UntilFlush() <= TimeSpan.Zero)
+                Flush();
         }
     }
 

@@ -29,6 +29,36 @@ public sealed class RecorderFilesTests : RecorderTest
         Assert.False(File.Exists(first));
     }
 
+    [Fact]
+    public async Task Metadata_does_not_wait_until_the_queue_is_empty()
+    {
+        StreamRecorder? recorder = null;
+        using var isReady = new ManualResetEventSlim();
+        int opened = 0;
+        recorder = new(Folder.PathOf("take.nmrec"), new RecordingOptions { MaxFileSize = 1 << 20 }, RecordingMetadata.Empty, Tap, static _ => { }, (path, _) =>
+        {
+            // Between two pieces of the recording's thread, with more pieces than the next file holds.
+            if (++opened == 2)
+            {
+                Assert.True(isReady.Wait(Limits.Unexpected));
+                recorder!.SetMetadata("rotation-order", "XYZ");
+                for (int i = 0; i < 2500; i++)
+                    Push();
+            }
+
+            return File.Create(path);
+        });
+        for (int i = 0; i < 1200; i++)
+            Push();
+
+        isReady.Set();
+        await Limits.UntilAsync(() => recorder.GetStatistics().Files >= 4);
+        recorder.Dispose();
+        Assert.Equal(0, recorder.GetStatistics().LostPieces);
+        using RecordingReader reader = RecordingReader.Open(Folder.PathOf("take.0003.nmrec"));
+        Assert.Equal("XYZ", reader.Metadata["rotation-order"]);
+    }
+
     [Theory, InlineData(null), InlineData(3)]
     public async Task Size_limited_files_are_each_complete(int? maxFiles)
     {
