@@ -11,7 +11,7 @@ using Numerics = System.Numerics;
 
 namespace NeuronMocap.Unity.Tests.Timeline;
 
-public sealed class TimelineTests : SourceFixture
+public sealed partial class TimelineTests : SourceFixture
 {
     private const double Start = 2;
 
@@ -250,9 +250,9 @@ public sealed class TimelineTests : SourceFixture
         _director.SetGenericBinding(_track, _driver);
     }
 
-    private TimelineClip AddClip(string file, double start)
+    private TimelineClip AddClip(string file, double start, MotionTrack? track = null)
     {
-        TimelineClip clip = _track.CreateClip<MotionClip>();
+        TimelineClip clip = (track ?? _track).CreateClip<MotionClip>();
         ((MotionClip)clip.asset).File = file;
         (clip.start, clip.duration) = (start, ((MotionClip)clip.asset).duration);
         return clip;

@@ -9,8 +9,12 @@ namespace NeuronMocap.Unity
     // Poses that do not come from a performer, such as those of Timeline. Also in edit mode.
     public abstract partial class FigureDriver
     {
+        // Who gave the latest pose. Only this one may release the figure, because another one may have nothing to show at the time.
+        [NonSerialized]
+        private object? _poseOwner;
+
         // While the figure has such a pose, it does not follow its performer.
-        internal bool IsPosed { get; private set; }
+        internal bool IsPosed => _poseOwner != null;
 
         internal bool AddPose(ReadOnlySpan<BoneTransform> pose, SkeletonBody body, float weight)
         {
@@ -32,23 +36,24 @@ namespace NeuronMocap.Unity
         }
 
         // Moves the figure to the mean of the poses that were added.
-        internal void EndPose()
+        internal void EndPose(object owner)
         {
             FigureRig rig = _rig!;
             rig.Mix.CopyTo(rig.Pose);
             rig.Bodies.End();
             rig.Writer.Write(rig.Pose, Mathf.Clamp01(_weight) * Mathf.Clamp01(rig.Mix.Weight));
             rig.Mix.Clear();
-            IsPosed = _hasPose = true;
+            _poseOwner = owner;
+            _hasPose = true;
         }
 
         // In edit mode, the figure returns to rest. In play mode, it follows its performer again.
-        internal void ReleasePose()
+        internal void ReleasePose(object owner)
         {
-            if (!IsPosed)
+            if (_poseOwner != owner)
                 return;
 
-            IsPosed = false;
+            _poseOwner = null;
             if (!Application.isPlaying)
                 Rebind();
         }

@@ -1,0 +1,40 @@
+using NeuronMocap.Bvh;
+using NeuronMocap.Server;
+using NeuronMocap.Unity.Timeline;
+using UnityEngine.Timeline;
+
+namespace NeuronMocap.Unity.Tests.Timeline;
+
+// Timeline and what else moves the figure.
+public sealed partial class TimelineTests
+{
+    [Theory]
+    [InlineData(true, true)]
+    [InlineData(true, false)]
+    [InlineData(false, true)]
+    [InlineData(false, false)]
+    public void A_track_in_a_gap_leaves_the_figure_to_another_track(bool isFirst, bool plays)
+    {
+        Begin(plays);
+        MotionTrack other = ((TimelineAsset)_director.playableAsset!).CreateTrack<MotionTrack>(null, "Other");
+        _director.SetGenericBinding(other, _driver);
+        var take = new BvhSource(BvhDocument.Load(Bvh));
+        AddClip(Bvh, 0, isFirst ? _track : other).duration = 0.3;
+        AddClip(Bvh, 0.2, isFirst ? other : _track).duration = 0.3;
+        ShowAt(0);
+        FigureRig rig = _driver.FindRig(out _)!;
+
+        // The first clip alone, then both, then the second one alone.
+        foreach (double time in (double[])[0, 0.1, 0.25, 0.4, 0.45])
+        {
+            ShowAt(time);
+            Assert.True(_driver.IsPosed);
+            Assert.Same(rig, _driver.FindRig(out _));
+        }
+
+        ShowAt(2 / take.FrameRate);
+        AssertPose(Retarget(take, 2));
+        ShowAt(0.6);
+        Assert.False(_driver.IsPosed);
+    }
+}
