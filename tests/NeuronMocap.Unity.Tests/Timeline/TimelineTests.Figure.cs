@@ -1,4 +1,5 @@
 using NeuronMocap.Bvh;
+using NeuronMocap.Retargeting;
 using NeuronMocap.Server;
 using NeuronMocap.Unity.Timeline;
 using UnityEngine.Timeline;
@@ -36,5 +37,47 @@ public sealed partial class TimelineTests
         AssertPose(Retarget(take, 2));
         ShowAt(0.6);
         Assert.False(_driver.IsPosed);
+    }
+
+    [Theory]
+    [InlineData(1)]
+    [InlineData(0.5f)]
+    public void An_animator_that_writes_after_timeline_does_not_replace_the_clip(float weight)
+    {
+        Begin(play: true);
+        AddClip(Bvh, 0);
+        _driver.Weight = weight;
+        var take = new BvhSource(BvhDocument.Load(Bvh));
+        ShowAt(0);
+        RetargetedPose shown = Retarget(take, 0);
+        _figure.Animator.Animating = () => Show(Animated());
+
+        foreach (int frame in (int[])[3, 4])
+        {
+            ShowAt(frame / take.FrameRate);
+            Loop.Frame();
+            AssertPose(Mix(Animated(), Retarget(take, frame), weight), 0.05f);
+        }
+
+        RetargetedPose Animated()
+        {
+            var pose = new RetargetedPose(shown.Rig);
+            for (int node = 0; node < pose.LocalRotations.Length; node++)
+            {
+                if (shown.IsDriven(node))
+                    pose.LocalRotations[node] *= Quaternion.Euler(0, 30, 10).ToNumerics();
+            }
+
+            pose.HipsLocalPosition += new System.Numerics.Vector3(0.1f, 0.2f, 0);
+            return pose;
+        }
+    }
+
+    private void Show(RetargetedPose pose)
+    {
+        for (int node = 0; node < pose.Rig.Nodes.Length; node++)
+            Find(pose.Rig.Nodes[node].Name).localRotation = pose.LocalRotations[node].ToUnity();
+
+        _figure[Bone.Hips].localPosition = pose.HipsLocalPosition.ToUnity();
     }
 }

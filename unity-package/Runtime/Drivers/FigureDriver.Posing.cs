@@ -13,6 +13,9 @@ namespace NeuronMocap.Unity
         [NonSerialized]
         private object? _poseOwner;
 
+        [NonSerialized]
+        private float _posedWeight;
+
         // While the figure has such a pose, it does not follow its performer.
         internal bool IsPosed => _poseOwner != null;
 
@@ -41,10 +44,18 @@ namespace NeuronMocap.Unity
             FigureRig rig = _rig!;
             rig.Mix.CopyTo(rig.Pose);
             rig.Bodies.End();
-            rig.Writer.Write(rig.Pose, Mathf.Clamp01(_weight) * Mathf.Clamp01(rig.Mix.Weight));
+            _posedWeight = Mathf.Clamp01(_weight) * Mathf.Clamp01(rig.Mix.Weight);
+            rig.Writer.Write(rig.Pose, _posedWeight);
             rig.Mix.Clear();
             _poseOwner = owner;
             _hasPose = true;
+        }
+
+        // An Animator may have written after Timeline. The pose is no longer there once the figure was bound again.
+        private void KeepPose()
+        {
+            if (IsPosed && _hasPose)
+                _rig?.Writer.Write(_rig.Pose, _posedWeight);
         }
 
         // In edit mode, the figure returns to rest. In play mode, it follows its performer again.

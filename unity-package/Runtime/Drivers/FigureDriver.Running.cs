@@ -80,6 +80,8 @@ namespace NeuronMocap.Unity
         {
             if (_driveTime == DriveTime.LateUpdate)
                 Drive();
+
+            KeepPose();
         }
 
         private void Drive()
