@@ -73,6 +73,27 @@ public sealed partial class TimelineTests
         }
     }
 
+    [Fact]
+    public void A_prop_with_a_body_stays_in_the_hand_that_timeline_moves()
+    {
+        Begin(play: true);
+        _driver.Source = AddSimulator();
+        FigureColliders.Add(_driver);
+        _driver.DriveTime = DriveTime.Physics;
+        HandProp prop = new GameObject("Sword").AddComponent<HandProp>();
+        prop.gameObject.AddComponent<Rigidbody>().isKinematic = true;
+        prop.Driver = _driver;
+        Loop.RunUntil(() => _driver.IsDriving);
+        AddClip(Bvh, 0);
+
+        foreach (double time in (double[])[0, 0.4])
+        {
+            ShowAt(time);
+            Loop.Frames(3, Time.fixedDeltaTime);
+            Assert.Equal(0, (_figure[Bone.RightHand].position - prop.transform.position).magnitude, 0.001f);
+        }
+    }
+
     private void Show(RetargetedPose pose)
     {
         for (int node = 0; node < pose.Rig.Nodes.Length; node++)
