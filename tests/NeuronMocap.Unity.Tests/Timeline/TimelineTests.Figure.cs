@@ -94,6 +94,23 @@ public sealed partial class TimelineTests
         }
     }
 
+    // Time need not pass in edit mode.
+    [Fact]
+    public void A_figure_that_was_mended_is_shown_at_once_in_edit_mode()
+    {
+        Begin(play: false);
+        AddClip(Bvh, 0);
+        Avatar avatar = _figure.Animator.avatar!;
+        _figure.Animator.avatar = null;
+        ShowAt(0);
+        Assert.False(_driver.IsPosed);
+        Assert.NotEqual(string.Empty, _driver.Problem);
+
+        _figure.Animator.avatar = avatar;
+        ShowAt(0);
+        Assert.True(_driver.IsPosed);
+    }
+
     private void Show(RetargetedPose pose)
     {
         for (int node = 0; node < pose.Rig.Nodes.Length; node++)
