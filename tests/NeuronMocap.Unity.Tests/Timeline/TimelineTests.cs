@@ -209,6 +209,21 @@ public sealed partial class TimelineTests : SourceFixture
     }
 
     [Fact]
+    public void A_preview_skips_a_bone_that_is_gone()
+    {
+        Begin(play: false);
+        AddClip(Bvh, 0);
+        ShowAt(0);
+        int count = _driver.FindRig(out _)!.Nodes.Length;
+        Object.DestroyImmediate(_figure[Bone.LeftHandIndex3].gameObject);
+        var collected = new Collector();
+
+        _track.GatherProperties(_director, collected);
+
+        Assert.Equal(2 * (count - 1), collected.Properties.Count);
+    }
+
+    [Fact]
     public void A_frame_of_two_clips_allocates_nothing()
     {
         Begin(play: true);
