@@ -3,6 +3,8 @@
 using System;
 using NeuronMocap.Skeleton;
 using UnityEngine;
+using Quaternion = UnityEngine.Quaternion;
+using Vector3 = UnityEngine.Vector3;
 
 namespace NeuronMocap.Unity
 {
@@ -15,6 +17,10 @@ namespace NeuronMocap.Unity
 
         [NonSerialized]
         private float _posedWeight;
+
+        // The figure before a preview in edit mode.
+        [NonSerialized]
+        private (Transform Node, Vector3 Position, Quaternion Rotation)[]? _scenePose;
 
         // While the figure has such a pose, it does not follow its performer.
         internal bool IsPosed => _poseOwner != null;
@@ -42,6 +48,9 @@ namespace NeuronMocap.Unity
         internal void EndPose(object owner)
         {
             FigureRig rig = _rig!;
+            if (!IsPosed && !Application.isPlaying)
+                _scenePose = Array.ConvertAll(rig.Nodes, node => node == null ? default : (node, node.localPosition, node.localRotation));
+
             rig.Mix.CopyTo(rig.Pose);
             rig.Bodies.End();
             _posedWeight = Mathf.Clamp01(_weight) * Mathf.Clamp01(rig.Mix.Weight);
@@ -58,7 +67,7 @@ namespace NeuronMocap.Unity
                 _rig?.Writer.Write(_rig.Pose, _posedWeight);
         }
 
-        // In edit mode, the figure returns to rest. In play mode, it follows its performer again.
+        // In edit mode, the figure returns to its pose in the scene. In play mode, it follows its performer again.
         internal void ReleasePose(object owner)
         {
             if (_poseOwner != owner)
@@ -66,7 +75,24 @@ namespace NeuronMocap.Unity
 
             _poseOwner = null;
             if (!Application.isPlaying)
+            {
                 Rebind();
+                RestoreScene();
+            }
+
+            _scenePose = null;
+        }
+
+        private void RestoreScene()
+        {
+            if (_scenePose is null)
+                return;
+
+            foreach ((Transform node, Vector3 position, Quaternion rotation) in _scenePose)
+            {
+                if (node != null)
+                    (node.localPosition, node.localRotation) = (position, rotation);
+            }
         }
     }
 }
