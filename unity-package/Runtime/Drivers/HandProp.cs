@@ -75,8 +75,21 @@ namespace NeuronMocap.Unity
             return true;
         }
 
+#if UNITY_EDITOR
         [ContextMenu("Hold As Placed")]
-        private void HoldAsPlacedFromMenu() => HoldAsPlaced();
+        private void HoldAsPlacedFromMenu()
+        {
+            if (_driver == null || !_driver.TryGetBonePose(_bone, out _, out _))
+            {
+                Debug.LogWarning(_driver == null ? "Set Driver first." : $"The figure {_driver.name} has no bone {_bone}, or cannot be driven.", this);
+                return;
+            }
+
+            UnityEditor.Undo.RecordObject(this, "Hold As Placed");
+            HoldAsPlaced();
+            UnityEditor.PrefabUtility.RecordPrefabInstancePropertyModifications(this);
+        }
+#endif
 
         private void OnDisable() => _isHeld = false;
 
