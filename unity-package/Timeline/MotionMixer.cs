@@ -37,9 +37,9 @@ namespace NeuronMocap.Unity.Timeline
             }
 
             if (isPosed)
-                driver.EndPose();
+                driver.EndPose(this);
             else
-                driver.ReleasePose();
+                driver.ReleasePose(this);
         }
 
         public override void OnPlayableDestroy(Playable playable) => Release();
@@ -47,7 +47,7 @@ namespace NeuronMocap.Unity.Timeline
         private void Release()
         {
             if (_driver != null)
-                _driver.ReleasePose();
+                _driver.ReleasePose(this);
 
             _driver = null;
         }

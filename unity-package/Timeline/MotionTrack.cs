@@ -35,6 +35,9 @@ namespace NeuronMocap.Unity.Timeline
 
             foreach (Transform node in rig.Nodes)
             {
+                if (node == null)
+                    continue;
+
                 driver.AddFromName<Transform>(node.gameObject, "m_LocalPosition");
                 driver.AddFromName<Transform>(node.gameObject, "m_LocalRotation");
             }

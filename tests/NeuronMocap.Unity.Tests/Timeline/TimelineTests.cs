@@ -11,7 +11,7 @@ using Numerics = System.Numerics;
 
 namespace NeuronMocap.Unity.Tests.Timeline;
 
-public sealed class TimelineTests : SourceFixture
+public sealed partial class TimelineTests : SourceFixture
 {
     private const double Start = 2;
 
@@ -98,22 +98,28 @@ public sealed class TimelineTests : SourceFixture
     }
 
     [Fact]
-    public void Outside_clips_and_after_a_preview_the_figure_returns_to_rest()
+    public void Outside_clips_and_after_a_preview_the_figure_has_its_pose_of_the_scene()
     {
         Begin(play: false);
         AddClip(Bvh, Start);
+        Transform[] nodes = _driver.FindRig(out _)!.Nodes;
+        (Vector3 Position, Quaternion Rotation)[] scene = Array.ConvertAll(nodes, static node => (node.localPosition, node.localRotation));
         ShowAt(Start + 0.1);
         Assert.True(_driver.IsPosed);
-        RetargetedPose rest = new(_driver.TargetRig!);
+        Assert.False(IsAsInScene());
 
         ShowAt(Start - 1);
         Assert.False(_driver.IsPosed);
-        AssertPose(rest);
+        Assert.True(IsAsInScene());
 
         ShowAt(Start + 0.1);
+        ShowAt(Start + 0.2);
         _director.Stop();
         Assert.False(_driver.IsPosed);
-        AssertPose(rest);
+        Assert.True(IsAsInScene());
+
+        bool IsAsInScene() => nodes.Zip(scene, static (node, place) =>
+            (node.localPosition - place.Position).magnitude < 1e-5f && Quaternion.Angle(node.localRotation, place.Rotation) < 0.1f).All(static isSame => isSame);
     }
 
     [Fact]
@@ -209,6 +215,21 @@ public sealed class TimelineTests : SourceFixture
     }
 
     [Fact]
+    public void A_preview_skips_a_bone_that_is_gone()
+    {
+        Begin(play: false);
+        AddClip(Bvh, 0);
+        ShowAt(0);
+        int count = _driver.FindRig(out _)!.Nodes.Length;
+        Object.DestroyImmediate(_figure[Bone.LeftHandIndex3].gameObject);
+        var collected = new Collector();
+
+        _track.GatherProperties(_director, collected);
+
+        Assert.Equal(2 * (count - 1), collected.Properties.Count);
+    }
+
+    [Fact]
     public void A_frame_of_two_clips_allocates_nothing()
     {
         Begin(play: true);
@@ -250,9 +271,9 @@ public sealed class TimelineTests : SourceFixture
         _director.SetGenericBinding(_track, _driver);
     }
 
-    private TimelineClip AddClip(string file, double start)
+    private TimelineClip AddClip(string file, double start, MotionTrack? track = null)
     {
-        TimelineClip clip = _track.CreateClip<MotionClip>();
+        TimelineClip clip = (track ?? _track).CreateClip<MotionClip>();
         ((MotionClip)clip.asset).File = file;
         (clip.start, clip.duration) = (start, ((MotionClip)clip.asset).duration);
         return clip;

@@ -26,13 +26,13 @@ namespace NeuronMocap.Unity
             return _rig ?? CreateRig(out problem);
         }
 
-        // In a physics step, the place that the bone is moving to.
+        // In a physics step, the place that the bone is moving to. In play mode, a faulty figure is looked for by the driver only, and not in every frame.
         internal bool TryGetBonePose(HumanoidBone bone, out Vector3 position, out Quaternion rotation)
         {
             (position, rotation) = (Vector3.zero, Quaternion.identity);
-            if (!(FindRig(out _) is { } rig) || !(rig.Target.GetNode(bone) is var node && node >= 0) || rig.Nodes[node] == null)
+            if (!((Application.isPlaying ? _rig : FindRig(out _)) is { } rig) || !(rig.Target.GetNode(bone) is var node && node >= 0) || rig.Nodes[node] == null)
                 return false;
-            if (_driveTime == DriveTime.Physics && Time.inFixedTimeStep && _hasPose)
+            if (_driveTime == DriveTime.Physics && Time.inFixedTimeStep && _hasPose && !IsPosed)
                 return rig.Bodies.TryGetTarget(node, out position, out rotation);
 
             (position, rotation) = (rig.Nodes[node].position, rig.Nodes[node].rotation);

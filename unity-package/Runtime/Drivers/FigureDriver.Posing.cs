@@ -3,14 +3,27 @@
 using System;
 using NeuronMocap.Skeleton;
 using UnityEngine;
+using Quaternion = UnityEngine.Quaternion;
+using Vector3 = UnityEngine.Vector3;
 
 namespace NeuronMocap.Unity
 {
     // Poses that do not come from a performer, such as those of Timeline. Also in edit mode.
     public abstract partial class FigureDriver
     {
+        // Who gave the latest pose. Only this one may release the figure, because another one may have nothing to show at the time.
+        [NonSerialized]
+        private object? _poseOwner;
+
+        [NonSerialized]
+        private float _posedWeight;
+
+        // The figure before a preview in edit mode.
+        [NonSerialized]
+        private (Transform Node, Vector3 Position, Quaternion Rotation)[]? _scenePose;
+
         // While the figure has such a pose, it does not follow its performer.
-        internal bool IsPosed { get; private set; }
+        internal bool IsPosed => _poseOwner != null;
 
         internal bool AddPose(ReadOnlySpan<BoneTransform> pose, SkeletonBody body, float weight)
         {
@@ -32,25 +45,54 @@ namespace NeuronMocap.Unity
         }
 
         // Moves the figure to the mean of the poses that were added.
-        internal void EndPose()
+        internal void EndPose(object owner)
         {
             FigureRig rig = _rig!;
+            if (!IsPosed && !Application.isPlaying)
+                _scenePose = Array.ConvertAll(rig.Nodes, node => node == null ? default : (node, node.localPosition, node.localRotation));
+
             rig.Mix.CopyTo(rig.Pose);
             rig.Bodies.End();
-            rig.Writer.Write(rig.Pose, Mathf.Clamp01(_weight) * Mathf.Clamp01(rig.Mix.Weight));
+            _posedWeight = Mathf.Clamp01(_weight) * Mathf.Clamp01(rig.Mix.Weight);
+            rig.Writer.Write(rig.Pose, _posedWeight);
             rig.Mix.Clear();
-            IsPosed = _hasPose = true;
+            _poseOwner = owner;
+            _hasPose = true;
         }
 
-        // In edit mode, the figure returns to rest. In play mode, it follows its performer again.
-        internal void ReleasePose()
+        // An Animator may have written after Timeline. The pose is no longer there once the figure was bound again.
+        private void KeepPose()
         {
-            if (!IsPosed)
+            if (IsPosed && _hasPose)
+                _rig?.Writer.Write(_rig.Pose, _posedWeight);
+        }
+
+        // In edit mode, the figure returns to its pose in the scene. In play mode, it follows its performer again.
+        internal void ReleasePose(object owner)
+        {
+            if (_poseOwner != owner)
                 return;
 
-            IsPosed = false;
+            _poseOwner = null;
             if (!Application.isPlaying)
+            {
                 Rebind();
+                RestoreScene();
+            }
+
+            _scenePose = null;
+        }
+
+        private void RestoreScene()
+        {
+            if (_scenePose is null)
+                return;
+
+            foreach ((Transform node, Vector3 position, Quaternion rotation) in _scenePose)
+            {
+                if (node != null)
+                    (node.localPosition, node.localRotation) = (position, rotation);
+            }
         }
     }
 }

@@ -80,6 +80,8 @@ namespace NeuronMocap.Unity
         {
             if (_driveTime == DriveTime.LateUpdate)
                 Drive();
+
+            KeepPose();
         }
 
         private void Drive()
@@ -117,7 +119,8 @@ namespace NeuronMocap.Unity
                 return true;
             if (_rig != null)
                 Rebind();
-            if (_rigProblem != null && Time.unscaledTime < _rebindTime)
+            // In edit mode, time need not pass.
+            if (_rigProblem != null && Application.isPlaying && Time.unscaledTime < _rebindTime)
                 return false;
 
             _rebindTime = Time.unscaledTime + RebindPeriod;

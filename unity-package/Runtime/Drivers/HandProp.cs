@@ -9,11 +9,11 @@ namespace NeuronMocap.Unity
 {
     /// <summary>
     /// Moves this object, such as a sword or a ball, with a hand of a figure or another bone. With a kinematic Rigidbody, the object moves through
-    /// physics and pushes other bodies with the speed of the hand. Otherwise it follows after all drivers.
+    /// physics and pushes other bodies with the speed of the hand. Otherwise it follows after all drivers and spawners.
     /// </summary>
     [AddComponentMenu("NeuronMocap/Hand Prop")]
     [HelpURL(HelpPage.Components + "#hand-prop")]
-    [DefaultExecutionOrder(100)]
+    [DefaultExecutionOrder(250)]
     public sealed class HandProp : MonoBehaviour
     {
         [Tooltip("The driver of the figure that holds the object.")]
@@ -75,8 +75,21 @@ namespace NeuronMocap.Unity
             return true;
         }
 
+#if UNITY_EDITOR
         [ContextMenu("Hold As Placed")]
-        private void HoldAsPlacedFromMenu() => HoldAsPlaced();
+        private void HoldAsPlacedFromMenu()
+        {
+            if (_driver == null || !_driver.TryGetBonePose(_bone, out _, out _))
+            {
+                Debug.LogWarning(_driver == null ? "Set Driver first." : $"The figure {_driver.name} has no bone {_bone}, or cannot be driven.", this);
+                return;
+            }
+
+            UnityEditor.Undo.RecordObject(this, "Hold As Placed");
+            HoldAsPlaced();
+            UnityEditor.PrefabUtility.RecordPrefabInstancePropertyModifications(this);
+        }
+#endif
 
         private void OnDisable() => _isHeld = false;
 
