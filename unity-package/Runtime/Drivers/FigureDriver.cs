@@ -38,8 +38,8 @@ namespace NeuronMocap.Unity
         [SerializeField]
         private RootMotion _rootMotion;
 
-        [Tooltip("Hips: the root transform stays in place. Root Transform: it moves and turns with the performer. Character Controller: one on this object or above it does, "
-            + "with collisions and gravity.")]
+        [Tooltip("Hips: the root transform stays in place. Root Transform: it moves and turns with the performer. Character Controller: moves the controller on "
+            + "this object or a parent, with collisions and gravity.")]
         [SerializeField]
         private RootMotionTarget _rootMotionTarget;
 

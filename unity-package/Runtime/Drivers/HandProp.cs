@@ -24,11 +24,11 @@ namespace NeuronMocap.Unity
         [SerializeField]
         private HumanoidBone _bone = HumanoidBone.RightHand;
 
-        [Tooltip("Place of the object in the axes of the bone, in metres.")]
+        [Tooltip("Position relative to the bone, in metres.")]
         [SerializeField]
         private Vector3 _positionOffset;
 
-        [Tooltip("Rotation of the object in the axes of the bone, in degrees.")]
+        [Tooltip("Rotation relative to the bone, in degrees.")]
         [SerializeField]
         private Vector3 _rotationOffset;
 

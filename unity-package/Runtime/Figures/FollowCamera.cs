@@ -22,7 +22,7 @@ namespace NeuronMocap.Unity
 
         [SerializeField]
         [Range(0, 5)]
-        [Tooltip("Time in which the distance to a target that moved falls to about a third, in seconds. 0: follow at once.")]
+        [Tooltip("Time constant of the camera's movement, in seconds. 0: follow immediately.")]
         private float _followTime = 0.4f;
 
         private Vector3 _focus;
@@ -49,8 +49,8 @@ namespace NeuronMocap.Unity
         }
 
         /// <summary>
-        /// Gets or sets the time in which the distance to a target that moved falls to about a third, in seconds. 0: follow at once. Game time that is
-        /// paused or slow does not change it.
+        /// Gets or sets the time constant of the camera's movement, in seconds: the time in which the distance to a target that has moved falls to 37 %.
+        /// 0: follow immediately. Game time that is paused or slow does not change it.
         /// </summary>
         public float FollowTime
         {
