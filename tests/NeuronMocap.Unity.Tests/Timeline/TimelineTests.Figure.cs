@@ -2,6 +2,7 @@ using NeuronMocap.Bvh;
 using NeuronMocap.Retargeting;
 using NeuronMocap.Server;
 using NeuronMocap.Unity.Timeline;
+using UnityEngine.Playables;
 using UnityEngine.Timeline;
 
 namespace NeuronMocap.Unity.Tests.Timeline;
@@ -36,6 +37,31 @@ public sealed partial class TimelineTests
         ShowAt(2 / take.FrameRate);
         AssertPose(Retarget(take, 2));
         ShowAt(0.6);
+        Assert.False(_driver.IsPosed);
+    }
+
+    [Theory]
+    [InlineData(true)]
+    [InlineData(false)]
+    public void A_director_that_stops_leaves_the_figure_to_another_one(bool plays)
+    {
+        Begin(plays);
+        var take = new BvhSource(BvhDocument.Load(Bvh));
+        PlayableDirector other = new GameObject("Other").AddComponent<PlayableDirector>();
+        TimelineAsset timeline = ScriptableObject.CreateInstance<TimelineAsset>();
+        MotionTrack track = timeline.CreateTrack<MotionTrack>(null, "Motion");
+        other.playableAsset = timeline;
+        other.SetGenericBinding(track, _driver);
+        AddClip(Bvh, 0);
+        AddClip(Bvh, 0, track);
+        ShowAt(0);
+        other.time = 3 / take.FrameRate;
+        other.Evaluate();
+
+        _director.Stop();
+        Assert.True(_driver.IsPosed);
+        AssertPose(Retarget(take, 3));
+        other.Stop();
         Assert.False(_driver.IsPosed);
     }
 
