@@ -45,6 +45,9 @@ namespace NeuronMocap.Unity
             Vector3 motion = space.TransformVector(step.ToUnity()) * weight;
             Quaternion rotation = space.rotation * Quaternion.Slerp(Quaternion.identity, turn.ToUnity(), weight) * Quaternion.Inverse(space.rotation);
 
+            if (_isStep)
+                rig.Bodies.Hold(rig.Pose);
+
             // The figure may be below the object with this component, or elsewhere.
             Transform root = space.IsChildOf(transform) ? transform : space;
             if (_rootMotionTarget == RootMotionTarget.RootTransform)
