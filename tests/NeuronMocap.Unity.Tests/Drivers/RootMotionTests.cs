@@ -1,3 +1,4 @@
+using NeuronMocap.Retargeting;
 using NeuronMocap.Server;
 using NeuronMocap.Unity.Tests.Infrastructure;
 
@@ -70,6 +71,31 @@ public sealed class RootMotionTests : SourceFixture
             Assert.True((figure.Root.transform.position - position).magnitude < 1e-3f, $"{figure.Root.transform.position}");
             Assert.True(Quaternion.Angle(figure.Root.transform.rotation, rotation) < 0.1f);
         }
+    }
+
+    [Fact]
+    public void The_way_of_the_performer_during_a_pause_moves_nothing()
+    {
+        MocapSource source = Show();
+        TestFigure figure = TestFigure.Build("Figure");
+        HumanoidDriver driver = figure.Drive(source);
+        driver.RootMotionTarget = RootMotionTarget.RootTransform;
+        Loop.RunUntil(() => driver.IsDriving);
+        Vector3 start = figure.Root.transform.position;
+
+        driver.PartWeights.Set(BodyParts.Hips, 0);
+        Put(source, new Vector3(5, 0, 0), 10);
+        driver.PartWeights.Set(BodyParts.Hips, 1);
+        Loop.Frames(2);
+        AssertNear(start, figure.Root.transform.position);
+
+        // Posed as by Timeline.
+        Assert.True(driver.AddPose(driver.Performer!.LocalPose, driver.Performer.Body, 1));
+        driver.EndPose();
+        Put(source, new Vector3(0, 0, 3), 90);
+        driver.ReleasePose();
+        Loop.Frames(2);
+        AssertNear(start, figure.Root.transform.position);
     }
 
     [Fact]

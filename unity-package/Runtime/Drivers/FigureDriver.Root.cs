@@ -37,7 +37,10 @@ namespace NeuronMocap.Unity
 
             _way = way;
             if (_rootMotionTarget == RootMotionTarget.Hips || rig.Root == null || !rig.Pose.IsDriven(rig.Target.HipsNode))
+            {
+                _travel.Reset();
                 return;
+            }
 
             (System.Numerics.Vector3 step, System.Numerics.Quaternion turn) = _travel.Take(rig.Pose);
             float weight = Mathf.Clamp01(_weight) * _presence;

@@ -165,7 +165,10 @@ namespace NeuronMocap.Unity
             {
                 rig.SetBody(performer.Body);
                 if (_retargeted != performer)
+                {
                     rig.ForgetFeet();
+                    _travel.Reset();
+                }
 
                 _retargeted = performer;
                 _body = performer.BodyVersion;
