@@ -20,22 +20,13 @@ namespace NeuronMocap.Unity
         private CharacterController? _controller;
 
         [NonSerialized]
-        private (Performer? Performer, int Placement, RootMotionTarget Target) _way;
-
-        [NonSerialized]
         private float _fallSpeed;
 
         [NonSerialized]
         private Vector3 _remainder;
 
-        private void MoveRoot(Performer performer, FigureRig rig)
+        private void MoveRoot(FigureRig rig)
         {
-            // A new performer, or another place of its stage, is no step.
-            var way = (performer, performer.PlacementVersion, _rootMotionTarget);
-            if (_way != way)
-                _travel.Reset();
-
-            _way = way;
             if (_rootMotionTarget == RootMotionTarget.Hips || rig.Root == null || !rig.Pose.IsDriven(rig.Target.HipsNode))
             {
                 _travel.Reset();

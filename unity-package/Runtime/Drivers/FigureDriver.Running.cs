@@ -24,6 +24,9 @@ namespace NeuronMocap.Unity
         private int _body;
 
         [NonSerialized]
+        private int _placement;
+
+        [NonSerialized]
         private Performer? _retargeted;
 
         [NonSerialized]
@@ -60,7 +63,6 @@ namespace NeuronMocap.Unity
             ActiveSource = null;
             _retargeted = null;
             _hasPose = false;
-            _way = default;
             _rig?.Writer.End();
             _rig?.Bodies.End();
             EndSteps();
@@ -125,7 +127,6 @@ namespace NeuronMocap.Unity
             _rigProblem = _rig is null ? problem : null;
             _retargeted = null;
             _hasPose = false;
-            _way = default;
             return _rig != null;
         }
 
@@ -162,25 +163,24 @@ namespace NeuronMocap.Unity
         private void Retarget(Performer performer, FigureRig rig)
         {
             if (_retargeted != performer || _body != performer.BodyVersion)
-            {
                 rig.SetBody(performer.Body);
-                if (_retargeted != performer)
-                {
-                    rig.ForgetFeet();
-                    _travel.Reset();
-                }
 
-                _retargeted = performer;
-                _body = performer.BodyVersion;
+            // A new performer, another place of its stage, or the end of another pose is no movement.
+            if (_retargeted != performer || _placement != performer.PlacementVersion)
+            {
+                rig.ForgetFeet();
+                _motionSmoothing?.Reset();
+                _travel.Reset();
             }
 
+            (_retargeted, _body, _placement) = (performer, performer.BodyVersion, performer.PlacementVersion);
             SetOptions(rig);
             if (!rig.TryRetarget(PlaceOnStage(performer, PoseOf(performer), rig)))
                 return;
 
             _hasPose = true;
             PlantFeet(performer, rig);
-            MoveRoot(performer, rig);
+            MoveRoot(rig);
         }
 
         private void SetOptions(FigureRig rig)
