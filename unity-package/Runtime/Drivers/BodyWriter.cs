@@ -96,6 +96,12 @@ namespace NeuronMocap.Unity
                 return;
 
             _hasBegun = false;
+            for (int node = 0; node < _nodes.Length; node++)
+            {
+                if (_bodies[node] is not null)
+                    _writer.Forget(node);
+            }
+
             Array.Clear(_bodies, 0, _bodies.Length);
             Array.Clear(_writer.Skipped, 0, _writer.Skipped.Length);
         }
@@ -120,8 +126,12 @@ namespace NeuronMocap.Unity
         {
             for (int node = 0; node < _nodes.Length; node++)
             {
-                _bodies[node] = pose.IsDriven(node) ? FindBody(_nodes[node]) : null;
-                bool isBody = _bodies[node] != null;
+                Rigidbody? body = pose.IsDriven(node) ? FindBody(_nodes[node]) : null;
+                bool isBody = body != null;
+                if (!isBody && _bodies[node] is not null)
+                    _writer.Forget(node);
+
+                _bodies[node] = body;
                 _writer.Skipped[node] = isBody;
                 _isCarried[node] = isBody && IsBelowMovedTransform(pose, node);
             }
