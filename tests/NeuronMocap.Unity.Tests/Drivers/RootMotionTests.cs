@@ -99,6 +99,59 @@ public sealed class RootMotionTests : SourceFixture
     }
 
     [Fact]
+    public void A_model_beside_the_driver_turns_about_its_own_root()
+    {
+        MocapSource source = Show();
+        TestFigure still = TestFigure.Build("Still");
+        TestFigure moving = TestFigure.Build("Moving");
+        GameObject above = new("Above");
+        moving.Root.transform.SetParent(above.transform, true);
+        HumanoidDriver[] drivers = [still.Drive(source), above.AddComponent<HumanoidDriver>()];
+        (drivers[1].Source, drivers[1].Animator, drivers[1].RootMotionTarget) = (source, moving.Animator, RootMotionTarget.RootTransform);
+        Loop.RunUntil(() => drivers.All(static driver => driver.IsDriving));
+
+        Put(source, new Vector3(1, 0, 2), 100);
+        AssertNear(still[Bone.Hips].position, moving[Bone.Hips].position);
+        AssertNear(still[Bone.LeftHand].position, moving[Bone.LeftHand].position);
+        Assert.NotEqual(Vector3.zero, above.transform.position);
+    }
+
+    [Fact]
+    public void A_model_beside_its_controller_turns_about_its_own_root()
+    {
+        CharacterController.Floor = -1;
+        MocapSource source = Show();
+        (HumanoidDriver driver, CharacterController controller) = AddCharacter(source);
+        driver.transform.localPosition = new Vector3(0.5f, 0, 0);
+
+        Put(source, new Vector3(0, 0, 0), 90);
+        AssertNear(new Vector3(0.5f, 0, 0), driver.transform.position);
+        AssertNear(new Vector3(0.5f, 0, 0.5f), controller.transform.position);
+    }
+
+    [Fact]
+    public void A_pause_ends_a_fall_and_rebinding_finds_another_controller()
+    {
+        MocapSource source = Show();
+        (HumanoidDriver driver, CharacterController controller) = AddCharacter(source);
+        Loop.Frames(10);
+        driver.enabled = false;
+        driver.enabled = true;
+        float height = controller.transform.position.y;
+        Loop.Frame();
+        Assert.Equal(-9.81f / (60 * 60), controller.transform.position.y - height, 1e-4f);
+
+        CharacterController other = new GameObject("Other").AddComponent<CharacterController>();
+        driver.transform.SetParent(other.transform, false);
+        driver.Rebind();
+        Loop.Frame();
+        height = controller.transform.position.y;
+        Loop.Frames(2);
+        Assert.Equal(height, controller.transform.position.y);
+        Assert.InRange(other.transform.position.y, -0.1f, -0.001f);
+    }
+
+    [Fact]
     public void A_controller_falls_lands_and_collides()
     {
         CharacterController.Floor = 0;

@@ -42,11 +42,12 @@ namespace NeuronMocap.Unity
             if (_isStep)
                 rig.Bodies.Hold(rig.Pose);
 
-            // The figure may be below the object with this component, or elsewhere.
+            // The figure may be below the object with this component, or elsewhere. What moves turns about the root of the rig.
             Transform root = space.IsChildOf(transform) ? transform : space;
             if (_rootMotionTarget == RootMotionTarget.RootTransform)
             {
-                root.SetPositionAndRotation(root.position + motion, rotation * root.rotation);
+                Vector3 place = space.position + motion + (rotation * (root.position - space.position));
+                root.SetPositionAndRotation(place, rotation * root.rotation);
                 return;
             }
 
@@ -56,8 +57,16 @@ namespace NeuronMocap.Unity
                 return;
 
             Transform carrier = _controller.transform;
+            Vector3 arm = carrier.position - space.position;
             carrier.rotation = rotation * carrier.rotation;
-            MoveController(_controller, motion);
+            MoveController(_controller, motion + (rotation * arm) - arm);
+        }
+
+        // The next movement may belong to another controller, and begins without a fall.
+        private void ForgetController()
+        {
+            _controller = null;
+            (_fallSpeed, _remainder) = (0, Vector3.zero);
         }
 
         // Gravity keeps the controller on the ground, so that it notices the ground and follows slopes and steps.

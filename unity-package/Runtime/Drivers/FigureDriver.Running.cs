@@ -63,6 +63,7 @@ namespace NeuronMocap.Unity
             ActiveSource = null;
             _retargeted = null;
             _hasPose = false;
+            ForgetController();
             _rig?.Writer.End();
             _rig?.Bodies.End();
             EndSteps();
@@ -127,6 +128,7 @@ namespace NeuronMocap.Unity
             _rigProblem = _rig is null ? problem : null;
             _retargeted = null;
             _hasPose = false;
+            ForgetController();
             return _rig != null;
         }
 
