@@ -151,6 +151,21 @@ public sealed class RootMotionTests : SourceFixture
         Assert.InRange(other.transform.position.y, -0.1f, -0.001f);
     }
 
+    [Theory]
+    [InlineData(true)]
+    [InlineData(false)]
+    public void The_colliders_of_the_figure_do_not_stop_its_controller(bool addsLater)
+    {
+        MocapSource source = Show();
+        (HumanoidDriver driver, CharacterController controller) = AddCharacter(source, hasColliders: !addsLater);
+        if (addsLater)
+            Assert.NotEqual(0, FigureColliders.Add(driver));
+
+        Put(source, new Vector3(1, 0, 1), 0);
+        Assert.Equal(1, controller.transform.position.x, 5e-3f);
+        Assert.Equal(1, controller.transform.position.z, 5e-3f);
+    }
+
     [Fact]
     public void A_controller_falls_lands_and_collides()
     {
@@ -232,7 +247,7 @@ public sealed class RootMotionTests : SourceFixture
     private MocapSource Show() => Add(Serve(new BroadcasterOptions { Sources = [_actor], IncludeDisplacement = true }), static source => source.Resample = false);
 
     // A character of the actor's size below a controller, with its first pose.
-    private (HumanoidDriver Driver, CharacterController Controller) AddCharacter(MocapSource source)
+    private (HumanoidDriver Driver, CharacterController Controller) AddCharacter(MocapSource source, bool hasColliders = false)
     {
         CharacterController controller = new GameObject("Character").AddComponent<CharacterController>();
         HumanoidFigure figure = HumanoidFigure.Build(Skeleton.SkeletonBody.GetDefault());
@@ -240,6 +255,9 @@ public sealed class RootMotionTests : SourceFixture
         HumanoidDriver driver = figure.Root.AddComponent<HumanoidDriver>();
         driver.Source = source;
         driver.RootMotionTarget = RootMotionTarget.CharacterController;
+        if (hasColliders)
+            FigureColliders.Add(driver);
+
         Loop.RunUntil(() => driver.IsDriving);
         return (driver, controller);
     }

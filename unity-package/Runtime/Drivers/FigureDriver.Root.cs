@@ -25,6 +25,19 @@ namespace NeuronMocap.Unity
         [NonSerialized]
         private Vector3 _remainder;
 
+        // The capsules of a figure would stop or lift its own controller. Unity forgets this when a collider is deactivated.
+        internal void IgnoreOwnColliders()
+        {
+            if (_controller == null)
+                return;
+
+            foreach (Collider part in _controller.GetComponentsInChildren<Collider>())
+            {
+                if (part != _controller)
+                    Physics.IgnoreCollision(_controller, part);
+            }
+        }
+
         private void MoveRoot(FigureRig rig)
         {
             if (_rootMotionTarget == RootMotionTarget.Hips || rig.Root == null || !rig.Pose.IsDriven(rig.Target.HipsNode))
@@ -52,7 +65,11 @@ namespace NeuronMocap.Unity
             }
 
             if (_controller == null)
+            {
                 _controller = root.GetComponentInParent<CharacterController>();
+                IgnoreOwnColliders();
+            }
+
             if (_controller == null)
                 return;
 
