@@ -217,7 +217,7 @@ namespace NeuronMocap.Unity
         private void Blend(bool isLive)
         {
             float target = isLive || _whenIdle == IdleBehaviour.Hold ? 1 : 0;
-            _presence = _idleBlendTime > 0 ? Mathf.MoveTowards(_presence, target, Time.unscaledDeltaTime / _idleBlendTime) : target;
+            _presence = _idleBlendTime > 0 ? Mathf.MoveTowards(_presence, target, FrameTime.Delta / _idleBlendTime) : target;
         }
 
         private void RestoreRest()
