@@ -102,12 +102,15 @@ public sealed class PhysicsDriverTests : SourceFixture
         Assert.Equal(1, BufferCount(stream));
     }
 
-    [Fact]
-    public void Frames_with_steps_allocate_nothing()
+    [Theory]
+    [InlineData(RootMotionTarget.Hips)]
+    [InlineData(RootMotionTarget.CharacterController)]
+    public void Frames_with_steps_allocate_nothing(RootMotionTarget target)
     {
         TestFigure figure = TestFigure.Build("Figure");
+        figure.Root.AddComponent<CharacterController>();
         HumanoidDriver driver = DriveWithPhysics(figure, new MovingActor(Speed));
-        (driver.Smoothing, driver.FootPlanting) = (true, true);
+        (driver.Smoothing, driver.FootPlanting, driver.RootMotionTarget) = (true, true, target);
         AddProp(driver, hasBody: true);
         Loop.RunUntil(() => driver.IsDriving);
         Loop.RunFor(0.2f);
