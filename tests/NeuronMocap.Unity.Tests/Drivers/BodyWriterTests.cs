@@ -111,6 +111,38 @@ public sealed class BodyWriterTests : IDisposable
         AssertFigureHasThePose();
     }
 
+    // The pose of the body is not that of an Animator.
+    [Theory]
+    [InlineData(true)]
+    [InlineData(false)]
+    public void A_bone_without_its_body_mixes_the_motion_with_the_rest_pose(bool ends)
+    {
+        Rigidbody body = AddBody(Bone.LeftForeArm);
+        for (int step = 1; step <= 3; step++)
+        {
+            SetPose(0.3f * step);
+            _rig.Bodies.Write(_pose, 1);
+            _loop.Frame(Step);
+        }
+
+        Object.DestroyImmediate(body);
+        SetPose(0.5f);
+        if (ends)
+        {
+            _rig.Bodies.End();
+            _rig.Writer.Write(_pose, 0.5f);
+        }
+        else
+        {
+            _rig.Bodies.Write(_pose, 0.5f);
+        }
+
+        int node = _rig.Target.GetNode(HumanoidBone.LeftLowerArm);
+        Quaternion rest = _rig.Target.Nodes[node].Rotation.ToUnity();
+        Quaternion half = Quaternion.Slerp(rest, _pose.LocalRotations[node].ToUnity(), 0.5f);
+        Assert.Equal(0, Quaternion.Angle(half, _figure[Bone.LeftForeArm].localRotation), 0.1f);
+    }
+
     [Fact]
     public void Restoring_returns_bodies_to_rest_and_ending_gives_them_back()
     {

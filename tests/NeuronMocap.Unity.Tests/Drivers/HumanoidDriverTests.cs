@@ -214,6 +214,22 @@ public sealed class HumanoidDriverTests : SourceFixture
     }
 
     [Fact]
+    public void A_figure_rests_in_the_time_of_a_captured_film()
+    {
+        Broadcaster server = Serve(new SyntheticSource());
+        TestFigure figure = TestFigure.Build("Figure");
+        HumanoidDriver driver = figure.Drive(Add(server, static source => source.IdleTimeout = 0.1f));
+        (driver.WhenIdle, driver.IdleBlendTime) = (IdleBehaviour.BlendToRest, 10);
+        Loop.RunUntil(() => driver.IsDriving);
+        server.Dispose();
+        Loop.RunUntil(() => !driver.IsDriving);
+
+        Time.captureDeltaTime = 2.5f;
+        Loop.Frames(4, 0.001f);
+        AssertNear(Quaternion.identity, figure.Turn(Bone.LeftArm), Bone.LeftArm);
+    }
+
+    [Fact]
     public void Standing_feet_do_not_slide()
     {
         TestFigure figure = TestFigure.Build("Figure", size: 0.7f);

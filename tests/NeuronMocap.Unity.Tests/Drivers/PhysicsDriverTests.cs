@@ -48,6 +48,38 @@ public sealed class PhysicsDriverTests : SourceFixture
         Assert.True(speeds.Count(static speed => speed < 0.1f * Speed) < speeds.Count / 4, string.Join(' ', speeds));
     }
 
+    [Theory]
+    [InlineData(RootMotionTarget.RootTransform)]
+    [InlineData(RootMotionTarget.CharacterController)]
+    public void Bodies_have_the_speed_of_the_performer_while_the_root_walks(RootMotionTarget target)
+    {
+        TestFigure figure = TestFigure.Build("Figure");
+        figure.Root.AddComponent<CharacterController>();
+        CharacterController.Floor = -0.5f;
+        HumanoidDriver driver = DriveWithPhysics(figure, new MovingActor(Speed));
+        driver.RootMotionTarget = target;
+        driver.Source!.Delay = 100;
+        Rigidbody[] bodies = [.. ((Bone[])[Bone.Hips, Bone.Head, Bone.LeftHand]).Select(bone => figure[bone].GetComponent<Rigidbody>())];
+        List<float>[] speeds = [.. bodies.Select(static _ => new List<float>())];
+        new GameObject("Probe").AddComponent<StepProbe>().OnStep = () =>
+        {
+            for (int i = 0; i < bodies.Length; i++)
+                speeds[i].Add(bodies[i].velocity.magnitude);
+        };
+        Loop.RunUntil(() => driver.IsDriving);
+        RunSlowly(0.001, () => speeds[0].Count > 40);
+        Array.ForEach(speeds, static list => list.Clear());
+        Vector3 start = figure.Root.transform.position;
+        RunSlowly(0.001, () => speeds[0].Count > 100);
+
+        Assert.InRange((figure.Root.transform.position - start).magnitude, 0.6f * Speed, 4 * Speed);
+        foreach (List<float> list in speeds)
+        {
+            list.Sort();
+            Assert.InRange(list[list.Count / 2], 0.6f * Speed, 2.4f * Speed);
+        }
+    }
+
     [Fact]
     public void Leaving_physics_gives_all_bones_back_to_the_transforms()
     {
@@ -70,12 +102,15 @@ public sealed class PhysicsDriverTests : SourceFixture
         Assert.Equal(1, BufferCount(stream));
     }
 
-    [Fact]
-    public void Frames_with_steps_allocate_nothing()
+    [Theory]
+    [InlineData(RootMotionTarget.Hips)]
+    [InlineData(RootMotionTarget.CharacterController)]
+    public void Frames_with_steps_allocate_nothing(RootMotionTarget target)
     {
         TestFigure figure = TestFigure.Build("Figure");
+        figure.Root.AddComponent<CharacterController>();
         HumanoidDriver driver = DriveWithPhysics(figure, new MovingActor(Speed));
-        (driver.Smoothing, driver.FootPlanting) = (true, true);
+        (driver.Smoothing, driver.FootPlanting, driver.RootMotionTarget) = (true, true, target);
         AddProp(driver, hasBody: true);
         Loop.RunUntil(() => driver.IsDriving);
         Loop.RunFor(0.2f);

@@ -1,3 +1,4 @@
+using NeuronMocap.Retargeting;
 using NeuronMocap.Server;
 using NeuronMocap.Unity.Tests.Infrastructure;
 
@@ -70,6 +71,99 @@ public sealed class RootMotionTests : SourceFixture
             Assert.True((figure.Root.transform.position - position).magnitude < 1e-3f, $"{figure.Root.transform.position}");
             Assert.True(Quaternion.Angle(figure.Root.transform.rotation, rotation) < 0.1f);
         }
+    }
+
+    [Fact]
+    public void The_way_of_the_performer_during_a_pause_moves_nothing()
+    {
+        MocapSource source = Show();
+        TestFigure figure = TestFigure.Build("Figure");
+        HumanoidDriver driver = figure.Drive(source);
+        driver.RootMotionTarget = RootMotionTarget.RootTransform;
+        Loop.RunUntil(() => driver.IsDriving);
+        Vector3 start = figure.Root.transform.position;
+
+        driver.PartWeights.Set(BodyParts.Hips, 0);
+        Put(source, new Vector3(5, 0, 0), 10);
+        driver.PartWeights.Set(BodyParts.Hips, 1);
+        Loop.Frames(2);
+        AssertNear(start, figure.Root.transform.position);
+
+        // Posed as by Timeline.
+        Assert.True(driver.AddPose(driver.Performer!.LocalPose, driver.Performer.Body, 1));
+        driver.EndPose();
+        Put(source, new Vector3(0, 0, 3), 90);
+        driver.ReleasePose();
+        Loop.Frames(2);
+        AssertNear(start, figure.Root.transform.position);
+    }
+
+    [Fact]
+    public void A_model_beside_the_driver_turns_about_its_own_root()
+    {
+        MocapSource source = Show();
+        TestFigure still = TestFigure.Build("Still");
+        TestFigure moving = TestFigure.Build("Moving");
+        GameObject above = new("Above");
+        moving.Root.transform.SetParent(above.transform, true);
+        HumanoidDriver[] drivers = [still.Drive(source), above.AddComponent<HumanoidDriver>()];
+        (drivers[1].Source, drivers[1].Animator, drivers[1].RootMotionTarget) = (source, moving.Animator, RootMotionTarget.RootTransform);
+        Loop.RunUntil(() => drivers.All(static driver => driver.IsDriving));
+
+        Put(source, new Vector3(1, 0, 2), 100);
+        AssertNear(still[Bone.Hips].position, moving[Bone.Hips].position);
+        AssertNear(still[Bone.LeftHand].position, moving[Bone.LeftHand].position);
+        Assert.NotEqual(Vector3.zero, above.transform.position);
+    }
+
+    [Fact]
+    public void A_model_beside_its_controller_turns_about_its_own_root()
+    {
+        CharacterController.Floor = -1;
+        MocapSource source = Show();
+        (HumanoidDriver driver, CharacterController controller) = AddCharacter(source);
+        driver.transform.localPosition = new Vector3(0.5f, 0, 0);
+
+        Put(source, new Vector3(0, 0, 0), 90);
+        AssertNear(new Vector3(0.5f, 0, 0), driver.transform.position);
+        AssertNear(new Vector3(0.5f, 0, 0.5f), controller.transform.position);
+    }
+
+    [Fact]
+    public void A_pause_ends_a_fall_and_rebinding_finds_another_controller()
+    {
+        MocapSource source = Show();
+        (HumanoidDriver driver, CharacterController controller) = AddCharacter(source);
+        Loop.Frames(10);
+        driver.enabled = false;
+        driver.enabled = true;
+        float height = controller.transform.position.y;
+        Loop.Frame();
+        Assert.Equal(-9.81f / (60 * 60), controller.transform.position.y - height, 1e-4f);
+
+        CharacterController other = new GameObject("Other").AddComponent<CharacterController>();
+        driver.transform.SetParent(other.transform, false);
+        driver.Rebind();
+        Loop.Frame();
+        height = controller.transform.position.y;
+        Loop.Frames(2);
+        Assert.Equal(height, controller.transform.position.y);
+        Assert.InRange(other.transform.position.y, -0.1f, -0.001f);
+    }
+
+    [Theory]
+    [InlineData(true)]
+    [InlineData(false)]
+    public void The_colliders_of_the_figure_do_not_stop_its_controller(bool addsLater)
+    {
+        MocapSource source = Show();
+        (HumanoidDriver driver, CharacterController controller) = AddCharacter(source, hasColliders: !addsLater);
+        if (addsLater)
+            Assert.NotEqual(0, FigureColliders.Add(driver));
+
+        Put(source, new Vector3(1, 0, 1), 0);
+        Assert.Equal(1, controller.transform.position.x, 5e-3f);
+        Assert.Equal(1, controller.transform.position.z, 5e-3f);
     }
 
     [Fact]
@@ -153,7 +247,7 @@ public sealed class RootMotionTests : SourceFixture
     private MocapSource Show() => Add(Serve(new BroadcasterOptions { Sources = [_actor], IncludeDisplacement = true }), static source => source.Resample = false);
 
     // A character of the actor's size below a controller, with its first pose.
-    private (HumanoidDriver Driver, CharacterController Controller) AddCharacter(MocapSource source)
+    private (HumanoidDriver Driver, CharacterController Controller) AddCharacter(MocapSource source, bool hasColliders = false)
     {
         CharacterController controller = new GameObject("Character").AddComponent<CharacterController>();
         HumanoidFigure figure = HumanoidFigure.Build(Skeleton.SkeletonBody.GetDefault());
@@ -161,6 +255,9 @@ public sealed class RootMotionTests : SourceFixture
         HumanoidDriver driver = figure.Root.AddComponent<HumanoidDriver>();
         driver.Source = source;
         driver.RootMotionTarget = RootMotionTarget.CharacterController;
+        if (hasColliders)
+            FigureColliders.Add(driver);
+
         Loop.RunUntil(() => driver.IsDriving);
         return (driver, controller);
     }

@@ -27,6 +27,28 @@ public sealed class SmoothingTests : SourceFixture
         Assert.Empty(ConsoleLog.Entries);
     }
 
+    [Theory]
+    [InlineData(true, false)]
+    [InlineData(false, true)]
+    public void Another_place_of_the_stage_is_reached_at_once(bool smooths, bool plants)
+    {
+        MocapSource source = Add(Serve(new BroadcasterOptions { Sources = [new PlacedActor()], IncludeDisplacement = true }), static source => source.Resample = false);
+        TestFigure figure = TestFigure.Build("Figure");
+        HumanoidDriver driver = figure.Drive(source);
+        (driver.Smoothing, driver.FootPlanting) = (smooths, plants);
+        driver.PartSmoothing.Set(BodyParts.All, new SmoothingAmount(0.1f, 0));
+        Loop.RunUntil(() => driver.IsDriving);
+        Loop.RunFor(0.5f);
+        (Vector3 hips, Vector3 foot) = (figure[Bone.Hips].position, figure[Bone.LeftFoot].position);
+
+        source.Stage.Offset = new Vector3(0.05f, 0, 0);
+        Loop.Frame();
+
+        // The figure's root is scaled by 1.5.
+        Assert.Equal(0.075f, (figure[Bone.Hips].position - hips).magnitude, 0.01f);
+        Assert.Equal(0.075f, (figure[Bone.LeftFoot].position - foot).magnitude, 0.02f);
+    }
+
     [Fact]
     public void Noise_becomes_smaller_in_the_smoothed_parts_only()
     {

@@ -53,6 +53,21 @@ public sealed class FollowCameraTests : IDisposable
     }
 
     [Fact]
+    public void A_captured_film_does_not_depend_on_the_time_that_frames_take()
+    {
+        _follow.Target = new GameObject("Target").transform;
+        _follow.FollowTime = 0.5f;
+        _loop.Frame();
+        Time.captureFramerate = 20;
+        _follow.Target.position = new Vector3(9, 0, 0);
+        for (int i = 0; i < 10; i++)
+            _loop.Frame(i % 2 == 0 ? 0.001f : 0.4f);
+
+        float distance = (_follow.transform.position - (_follow.Target.position + _follow.Viewpoint)).magnitude;
+        Assert.Equal(9 / MathF.E, distance, 0.05f);
+    }
+
+    [Fact]
     public void The_hips_of_a_Humanoid_character_are_followed()
     {
         TestFigure figure = TestFigure.Build("Ann");

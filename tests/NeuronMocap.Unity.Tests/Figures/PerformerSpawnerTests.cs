@@ -73,6 +73,26 @@ public sealed class PerformerSpawnerTests : IDisposable
     }
 
     [Fact]
+    public void Figures_rest_and_leave_in_the_time_of_a_captured_film()
+    {
+        MocapSource source = Stage.AddSimulator();
+        PerformerSpawner spawner = AddSpawner(source);
+        spawner.BlendSeconds = 5;
+        spawner.DespawnSeconds = 18;
+        _loop.RunUntil(() => spawner.Figures.Count == 1 && spawner.Figures[0].Driver.IsDriving);
+        HumanoidFigure figure = spawner.Figures[0].Root.GetComponent<FigureBuilder>().Figure!;
+
+        source.Close();
+        Time.captureDeltaTime = 2.5f;
+        _loop.Frames(5, 0.001f);
+        Assert.True(figure.GetBone(Bone.LeftHand).position.y < figure.GetBone(Bone.LeftArm).position.y - 0.4f, "The arm does not hang down.");
+        Assert.Single(spawner.Figures);
+
+        _loop.Frames(4, 0.001f);
+        Assert.Empty(spawner.Figures);
+    }
+
+    [Fact]
     public void A_figure_that_was_idle_still_mixes_with_its_rest_pose()
     {
         MocapSource source = Stage.AddSimulator();

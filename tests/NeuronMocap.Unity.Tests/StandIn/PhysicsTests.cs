@@ -27,6 +27,25 @@ public sealed class PhysicsTests : IDisposable
     }
 
     [Fact]
+    public void A_collider_below_a_controller_stops_it_unless_ignored()
+    {
+        CharacterController controller = new GameObject("Controller").AddComponent<CharacterController>();
+        CapsuleCollider part = new GameObject("Part").AddComponent<CapsuleCollider>();
+        part.transform.SetParent(controller.transform, false);
+        Assert.Equal(CollisionFlags.Sides, controller.Move(Vector3.right));
+        Assert.Equal(Vector3.zero, controller.transform.position);
+
+        Physics.IgnoreCollision(controller, part);
+        controller.Move(Vector3.right);
+        Assert.Equal(Vector3.right, controller.transform.position);
+
+        Physics.IgnoreCollision(part, controller, false);
+        Assert.Equal(CollisionFlags.Sides, controller.Move(Vector3.right));
+        part.isTrigger = true;
+        Assert.Equal(CollisionFlags.None, controller.Move(Vector3.right));
+    }
+
+    [Fact]
     public void Placing_a_body_or_its_transform_gives_no_velocity()
     {
         Rigidbody body = Add("A", null);

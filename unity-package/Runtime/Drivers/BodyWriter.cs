@@ -20,6 +20,7 @@ namespace NeuronMocap.Unity
         private readonly Rigidbody?[] _bodies;
         private readonly bool[] _isCarried;
         private readonly Pose[] _before;
+        private bool _isHeld;
         private bool _hasBegun;
 
         public BodyWriter(Transform[] nodes, TargetRig rig, PoseWriter writer)
@@ -33,17 +34,30 @@ namespace NeuronMocap.Unity
             _before = new Pose[nodes.Length];
         }
 
-        public void Write(RetargetedPose pose, float weight)
+        // Before something moves the figure's root in this step, and all bodies with it.
+        public void Hold(RetargetedPose pose)
         {
             FindBodies(pose);
-
-            // A transform that moves takes the bodies below it along, without a velocity. They return to where they were, and then move through physics.
             for (int node = 0; node < _nodes.Length; node++)
             {
-                if (_isCarried[node])
-                    _before[node] = new Pose(_nodes[node].position, _nodes[node].rotation);
+                _isCarried[node] = _bodies[node] != null;
+                Capture(node);
             }
 
+            _isHeld = true;
+        }
+
+        public void Write(RetargetedPose pose, float weight)
+        {
+            // A transform that moves takes the bodies below it along, without a velocity. They return to where they were, and then move through physics.
+            if (!_isHeld)
+            {
+                FindBodies(pose);
+                for (int node = 0; node < _nodes.Length; node++)
+                    Capture(node);
+            }
+
+            _isHeld = false;
             _writer.Write(pose, weight);
             for (int node = 0; node < _nodes.Length; node++)
             {
@@ -77,10 +91,17 @@ namespace NeuronMocap.Unity
         // Leaves all transforms to the other writer again.
         public void End()
         {
+            _isHeld = false;
             if (!_hasBegun)
                 return;
 
             _hasBegun = false;
+            for (int node = 0; node < _nodes.Length; node++)
+            {
+                if (_bodies[node] is not null)
+                    _writer.Forget(node);
+            }
+
             Array.Clear(_bodies, 0, _bodies.Length);
             Array.Clear(_writer.Skipped, 0, _writer.Skipped.Length);
         }
@@ -105,11 +126,21 @@ namespace NeuronMocap.Unity
         {
             for (int node = 0; node < _nodes.Length; node++)
             {
-                _bodies[node] = pose.IsDriven(node) ? FindBody(_nodes[node]) : null;
-                bool isBody = _bodies[node] != null;
+                Rigidbody? body = pose.IsDriven(node) ? FindBody(_nodes[node]) : null;
+                bool isBody = body != null;
+                if (!isBody && _bodies[node] is not null)
+                    _writer.Forget(node);
+
+                _bodies[node] = body;
                 _writer.Skipped[node] = isBody;
                 _isCarried[node] = isBody && IsBelowMovedTransform(pose, node);
             }
+        }
+
+        private void Capture(int node)
+        {
+            if (_isCarried[node])
+                _before[node] = new Pose(_nodes[node].position, _nodes[node].rotation);
         }
 
         private static Rigidbody? FindBody(Transform node) =>

@@ -20,24 +20,31 @@ namespace NeuronMocap.Unity
         private CharacterController? _controller;
 
         [NonSerialized]
-        private (Performer? Performer, int Placement, RootMotionTarget Target) _way;
-
-        [NonSerialized]
         private float _fallSpeed;
 
         [NonSerialized]
         private Vector3 _remainder;
 
-        private void MoveRoot(Performer performer, FigureRig rig)
+        // The capsules of a figure would stop or lift its own controller. Unity forgets this when a collider is deactivated.
+        internal void IgnoreOwnColliders()
         {
-            // A new performer, or another place of its stage, is no step.
-            var way = (performer, performer.PlacementVersion, _rootMotionTarget);
-            if (_way != way)
-                _travel.Reset();
-
-            _way = way;
-            if (_rootMotionTarget == RootMotionTarget.Hips || rig.Root == null || !rig.Pose.IsDriven(rig.Target.HipsNode))
+            if (_controller == null)
                 return;
+
+            foreach (Collider part in _controller.GetComponentsInChildren<Collider>())
+            {
+                if (part != _controller)
+                    Physics.IgnoreCollision(_controller, part);
+            }
+        }
+
+        private void MoveRoot(FigureRig rig)
+        {
+            if (_rootMotionTarget == RootMotionTarget.Hips || rig.Root == null || !rig.Pose.IsDriven(rig.Target.HipsNode))
+            {
+                _travel.Reset();
+                return;
+            }
 
             (System.Numerics.Vector3 step, System.Numerics.Quaternion turn) = _travel.Take(rig.Pose);
             float weight = Mathf.Clamp01(_weight) * _presence;
@@ -45,22 +52,38 @@ namespace NeuronMocap.Unity
             Vector3 motion = space.TransformVector(step.ToUnity()) * weight;
             Quaternion rotation = space.rotation * Quaternion.Slerp(Quaternion.identity, turn.ToUnity(), weight) * Quaternion.Inverse(space.rotation);
 
-            // The figure may be below the object with this component, or elsewhere.
+            if (_isStep)
+                rig.Bodies.Hold(rig.Pose);
+
+            // The figure may be below the object with this component, or elsewhere. What moves turns about the root of the rig.
             Transform root = space.IsChildOf(transform) ? transform : space;
             if (_rootMotionTarget == RootMotionTarget.RootTransform)
             {
-                root.SetPositionAndRotation(root.position + motion, rotation * root.rotation);
+                Vector3 place = space.position + motion + (rotation * (root.position - space.position));
+                root.SetPositionAndRotation(place, rotation * root.rotation);
                 return;
             }
 
             if (_controller == null)
+            {
                 _controller = root.GetComponentInParent<CharacterController>();
+                IgnoreOwnColliders();
+            }
+
             if (_controller == null)
                 return;
 
             Transform carrier = _controller.transform;
+            Vector3 arm = carrier.position - space.position;
             carrier.rotation = rotation * carrier.rotation;
-            MoveController(_controller, motion);
+            MoveController(_controller, motion + (rotation * arm) - arm);
+        }
+
+        // The next movement may belong to another controller, and begins without a fall.
+        private void ForgetController()
+        {
+            _controller = null;
+            (_fallSpeed, _remainder) = (0, Vector3.zero);
         }
 
         // Gravity keeps the controller on the ground, so that it notices the ground and follows slopes and steps.

@@ -24,6 +24,9 @@ namespace NeuronMocap.Unity
         private int _body;
 
         [NonSerialized]
+        private int _placement;
+
+        [NonSerialized]
         private Performer? _retargeted;
 
         [NonSerialized]
@@ -60,7 +63,7 @@ namespace NeuronMocap.Unity
             ActiveSource = null;
             _retargeted = null;
             _hasPose = false;
-            _way = default;
+            ForgetController();
             _rig?.Writer.End();
             _rig?.Bodies.End();
             EndSteps();
@@ -128,7 +131,7 @@ namespace NeuronMocap.Unity
             _rigProblem = _rig is null ? problem : null;
             _retargeted = null;
             _hasPose = false;
-            _way = default;
+            ForgetController();
             return _rig != null;
         }
 
@@ -165,22 +168,24 @@ namespace NeuronMocap.Unity
         private void Retarget(Performer performer, FigureRig rig)
         {
             if (_retargeted != performer || _body != performer.BodyVersion)
-            {
                 rig.SetBody(performer.Body);
-                if (_retargeted != performer)
-                    rig.ForgetFeet();
 
-                _retargeted = performer;
-                _body = performer.BodyVersion;
+            // A new performer, another place of its stage, or the end of another pose is no movement.
+            if (_retargeted != performer || _placement != performer.PlacementVersion)
+            {
+                rig.ForgetFeet();
+                _motionSmoothing?.Reset();
+                _travel.Reset();
             }
 
+            (_retargeted, _body, _placement) = (performer, performer.BodyVersion, performer.PlacementVersion);
             SetOptions(rig);
             if (!rig.TryRetarget(PlaceOnStage(performer, PoseOf(performer), rig)))
                 return;
 
             _hasPose = true;
             PlantFeet(performer, rig);
-            MoveRoot(performer, rig);
+            MoveRoot(rig);
         }
 
         private void SetOptions(FigureRig rig)
@@ -215,7 +220,7 @@ namespace NeuronMocap.Unity
         private void Blend(bool isLive)
         {
             float target = isLive || _whenIdle == IdleBehaviour.Hold ? 1 : 0;
-            _presence = _idleBlendTime > 0 ? Mathf.MoveTowards(_presence, target, Time.unscaledDeltaTime / _idleBlendTime) : target;
+            _presence = _idleBlendTime > 0 ? Mathf.MoveTowards(_presence, target, FrameTime.Delta / _idleBlendTime) : target;
         }
 
         private void RestoreRest()

@@ -108,6 +108,16 @@ namespace NeuronMocap.Unity
             }
         }
 
+        // Another writer has moved a transform, so its pose is not that of an Animator.
+        public void Forget(int node)
+        {
+            if (_nodes[node] == null)
+                return;
+
+            _writtenRotations[node] = _nodes[node].localRotation;
+            _writtenPositions[node] = _nodes[node].localPosition;
+        }
+
         // Poses assume that intermediate transforms, such as twist bones, are at rest, whatever their pose in the scene was. After that, other
         // components may move them.
         private void Begin()

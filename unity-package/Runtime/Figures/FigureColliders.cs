@@ -47,6 +47,7 @@ namespace NeuronMocap.Unity
                 count++;
             }
 
+            driver.IgnoreOwnColliders();
             return count;
         }
 

@@ -75,7 +75,7 @@ namespace NeuronMocap.Unity
                 return;
 
             Vector3 target = FindFocus(_target);
-            float part = _hasFocus && _followTime > 0 ? 1 - Mathf.Exp(-Time.unscaledDeltaTime / _followTime) : 1;
+            float part = _hasFocus && _followTime > 0 ? 1 - Mathf.Exp(-FrameTime.Delta / _followTime) : 1;
             _focus = Vector3.Lerp(_focus, target, part);
             _hasFocus = true;
             transform.position = _focus + _viewpoint;

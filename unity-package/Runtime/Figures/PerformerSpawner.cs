@@ -172,7 +172,7 @@ namespace NeuronMocap.Unity
 
         private void LateUpdate()
         {
-            float step = _blendSeconds > 0 ? Time.unscaledDeltaTime / _blendSeconds : 1;
+            float step = _blendSeconds > 0 ? FrameTime.Delta / _blendSeconds : 1;
             for (int i = 0; i < _figures.Count; i++)
                 _figures[i].Apply(step);
         }
@@ -270,7 +270,7 @@ namespace NeuronMocap.Unity
                 return;
             }
 
-            if (figure.Update(figure.Performer.IsLive && IsPresent(figure.Performer), _idlePose, _blendSeconds, Time.unscaledDeltaTime))
+            if (figure.Update(figure.Performer.IsLive && IsPresent(figure.Performer), _idlePose, _blendSeconds, FrameTime.Delta))
                 IdleChanged?.Invoke(figure);
 
             if (_despawnSeconds > 0 && figure.IdleSeconds >= _despawnSeconds)

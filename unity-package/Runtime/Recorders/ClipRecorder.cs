@@ -143,7 +143,7 @@ namespace NeuronMocap.Unity
                 return;
 
             if (Take.FrameCount > 0)
-                _time += Time.captureDeltaTime > 0 ? Time.deltaTime : Time.unscaledDeltaTime;
+                _time += FrameTime.Delta;
 
             float period = 1 / _frameRate;
             if (_time < _nextTime - (EarlyPart * period))

@@ -5,6 +5,9 @@ public class Collider : Component
     public bool enabled { get; set; } = true;
 
     public bool isTrigger { get; set; }
+
+    [field: NonSerialized]
+    internal List<Collider> Ignored { get; } = [];
 }
 
 public class BoxCollider : Collider

@@ -2,7 +2,7 @@ namespace UnityEngine;
 
 /// <summary>
 /// Moves on request, without gravity of its own. The stand-in's scene has a floor and a wall, which a test may set. isGrounded tells whether the last
-/// Move touched the floor.
+/// Move touched the floor. A collider below the controller stops every Move unless its collisions are ignored.
 /// </summary>
 public class CharacterController : Collider
 {
@@ -29,6 +29,10 @@ public class CharacterController : Collider
         if (motion.magnitude < minMoveDistance)
             return collisionFlags;
 
+        isGrounded = false;
+        if (IsBlockedBy(transform))
+            return collisionFlags = CollisionFlags.Sides;
+
         Vector3 place = transform.position + motion;
         float lowest = Floor + (height / 2) - center.y;
         float farthest = Wall - radius - center.x;
@@ -36,6 +40,20 @@ public class CharacterController : Collider
         isGrounded = (collisionFlags & CollisionFlags.Below) == CollisionFlags.Below;
         transform.position = new Vector3(Mathf.Min(place.x, farthest), Mathf.Max(place.y, lowest), place.z);
         return collisionFlags;
+    }
+
+    private bool IsBlockedBy(Transform parent)
+    {
+        for (int i = 0; i < parent.childCount; i++)
+        {
+            Transform child = parent.GetChild(i);
+            if (child.TryGetComponent(out Collider part) && part.enabled && !part.isTrigger && !Physics.GetIgnoreCollision(this, part))
+                return true;
+            if (IsBlockedBy(child))
+                return true;
+        }
+
+        return false;
     }
 
     internal static void Clear() => (Floor, Wall) = (float.NegativeInfinity, float.PositiveInfinity);
@@ -53,4 +71,17 @@ public enum CollisionFlags
 public class Physics
 {
     public static Vector3 gravity { get; set; } = new(0, -9.81f, 0);
+
+    public static void IgnoreCollision(Collider collider1, Collider collider2) => IgnoreCollision(collider1, collider2, true);
+
+    public static void IgnoreCollision(Collider collider1, Collider collider2, bool ignore)
+    {
+        collider1.Ignored.Remove(collider2);
+        collider2.Ignored.Remove(collider1);
+        if (ignore)
+            collider1.Ignored.Add(collider2);
+    }
+
+    public static bool GetIgnoreCollision(Collider collider1, Collider collider2) =>
+        collider1.Ignored.Contains(collider2) || collider2.Ignored.Contains(collider1);
 }
