@@ -91,9 +91,9 @@ public sealed class RootMotionTests : SourceFixture
 
         // Posed as by Timeline.
         Assert.True(driver.AddPose(driver.Performer!.LocalPose, driver.Performer.Body, 1));
-        driver.EndPose();
+        driver.EndPose(this);
         Put(source, new Vector3(0, 0, 3), 90);
-        driver.ReleasePose();
+        driver.ReleasePose(this);
         Loop.Frames(2);
         AssertNear(start, figure.Root.transform.position);
     }
