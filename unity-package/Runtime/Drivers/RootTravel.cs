@@ -25,7 +25,7 @@ namespace NeuronMocap.Unity
             Quaternion rotation = pose.WorldRotations[rig.HipsNode];
             Vector3 rest = rig.RestPositions[rig.HipsNode];
             Vector3 height = rig.Up * Vector3.Dot(hips - rest, rig.Up);
-            Quaternion turn = TurnAbout(rig.Up, rotation * Quaternion.Conjugate(rig.RestRotations[rig.HipsNode]));
+            Quaternion turn = Heading.About(rig.Up, rotation * Quaternion.Conjugate(rig.RestRotations[rig.HipsNode]));
 
             // Where the root must be, so that the hips at rest are where they were.
             Vector3 position = hips - height - Vector3.Transform(rest, turn);
@@ -40,14 +40,6 @@ namespace NeuronMocap.Unity
                 : (Vector3.Zero, Quaternion.Identity);
             (_position, _turn, _hasPosition) = (position, turn, true);
             return taken;
-        }
-
-        // The part of a rotation that turns about an axis.
-        private static Quaternion TurnAbout(Vector3 axis, Quaternion rotation)
-        {
-            Vector3 along = axis * Vector3.Dot(new Vector3(rotation.X, rotation.Y, rotation.Z), axis);
-            var turn = new Quaternion(along, rotation.W);
-            return turn.LengthSquared() > 1e-6f ? Quaternion.Normalize(turn) : Quaternion.Identity;
         }
     }
 }

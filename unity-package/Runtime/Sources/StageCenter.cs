@@ -12,7 +12,7 @@ namespace NeuronMocap.Unity
         public StageCenter(BoneTransform hips)
         {
             Position = new Vector3(hips.Position.X, 0, hips.Position.Z);
-            Turn = TurnOf(hips.Rotation);
+            Turn = Heading.About(Vector3.UnitY, hips.Rotation);
         }
 
         private StageCenter(Vector3 position, Quaternion turn)
@@ -34,12 +34,5 @@ namespace NeuronMocap.Unity
         public override bool Equals(object? obj) => obj is StageCenter other && Equals(other);
 
         public override int GetHashCode() => HashCode.Combine(Position, Turn);
-
-        // The part of a rotation that turns about the vertical axis.
-        private static Quaternion TurnOf(Quaternion rotation)
-        {
-            var turn = new Quaternion(0, rotation.Y, 0, rotation.W);
-            return turn.LengthSquared() > 1e-6f ? Quaternion.Normalize(turn) : Quaternion.Identity;
-        }
     }
 }
