@@ -35,6 +35,9 @@ internal sealed class UdpEnd(NeuronReader reader) : IAsyncDisposable
     {
         IPAddress from = address is null ? EndPoint.Address : IPAddress.Parse(address);
         var socket = new Socket(from.AddressFamily, SocketType.Dgram, ProtocolType.Udp);
+
+        // Mono shares every port of UDP unless told otherwise. Two senders then sometimes get the same address.
+        socket.SetSocketOption(SocketOptionLevel.Socket, SocketOptionName.ReuseAddress, optionValue: false);
         socket.Bind(new IPEndPoint(from, 0));
         socket.Connect(EndPoint);
         _sockets.Add(socket);
