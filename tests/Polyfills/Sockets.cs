@@ -21,7 +21,12 @@ internal sealed class TcpListener(IPAddress address, int port) : System.Net.Sock
         }
     }
 
-    public void Dispose() => Stop();
+    // Stop closes the socket and creates another one for the next start. Without this, that one stays open until it is finalized.
+    public void Dispose()
+    {
+        Stop();
+        Server.Dispose();
+    }
 }
 
 internal static class Sockets

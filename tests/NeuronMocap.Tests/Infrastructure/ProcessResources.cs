@@ -34,17 +34,7 @@ internal static class ProcessResources
     public static Task AssertNoMoreAsync(int sockets, int threads)
     {
         int room = OperatingSystem.IsLinux() ? 0 : RuntimesOwn;
-        return Limits.UntilAsync(() =>
-        {
-            // On Mono, sockets of the test's own servers stay open until they are finalized.
-            if (Runtimes.IsMono)
-            {
-                GC.Collect();
-                GC.WaitForPendingFinalizers();
-            }
-
-            return Sockets <= sockets + room && LibraryThreads <= threads;
-        });
+        return Limits.UntilAsync(() => Sockets <= sockets + room && LibraryThreads <= threads);
     }
 
     private static int CountSockets()
