@@ -175,7 +175,9 @@ public sealed class BvhExportTests : BvhExportTest
         // Consumers receive a packet one after the other, and the export after the consumers that report it. Only now has it received the hundredth.
         await Limits.UntilAsync(() => export.FramesDropped == 96);
         await reader.WaitForFramesAsync(100);
-        export.Dispose();
+
+        // Dispose waits for 10 s at most, which is not enough on a busy machine: the writer waits until its request times out.
+        await export.StopAsync(TestContext.Current.CancellationToken).Soon();
         Assert.Null(export.Failure);
         Assert.Equal(4, BvhDocument.Load(Target).FrameCount);
         Assert.False(reader.Completion.IsCompleted);
