@@ -14,7 +14,7 @@ public sealed partial class SnippetTests
     private static readonly HashSet<string> Placeholders =
     [
         "reader", "options", "builder", "running", "avatar", "actor", "rig", "retargeter", "pose", "localPose", "world", "body", "seconds",
-        "Apply", "Draw", "PlantFeet", "Render", "Show", "ShowPose",
+        "Apply", "Draw", "PlantFeet", "Render", "Show", "ShowPose", "Text",
     ];
 
     public static TheoryData<string, string> Snippets
@@ -45,15 +45,31 @@ public sealed partial class SnippetTests
     [InlineData("WPF")]
     public void A_window_of_the_guide_compiles(string framework)
     {
-        string page = File.ReadAllText(Repository.PathOf("docs", "guide", "desktop.md"));
-        Match block = Assert.Single(Block().Matches(page), block => block.Groups["marker"].Value == $"<!-- needs: {framework} -->\n");
-        Assert.Empty(WindowCompiler.FindErrors(framework, block.Groups["code"].Value));
-        Assert.NotEmpty(WindowCompiler.FindErrors(framework, block.Groups["code"].Value.Replace("_reader.Start()", "_reader.Begin()", StringComparison.Ordinal)));
+        string code = CodeOfWindow(framework);
+        Assert.Empty(WindowCompiler.FindErrors(framework, code));
+        Assert.NotEmpty(WindowCompiler.FindErrors(framework, code.Replace("_reader.Start()", "_reader.Begin()", StringComparison.Ordinal)));
+    }
+
+    [Fact]
+    public void The_function_that_chooses_a_priority_compiles()
+    {
+        string post = Assert.Single(PostOption().Matches(Desktop)).Value;
+        string code = CodeOfWindow("WPF");
+        Assert.Empty(WindowCompiler.FindErrors("WPF", code.Replace("MaxRate = 60", $"MaxRate = 60, {post}", StringComparison.Ordinal)));
+        Assert.NotEmpty(WindowCompiler.FindErrors("WPF", code.Replace("MaxRate = 60", $"MaxRate = 60, {post}.ToString()", StringComparison.Ordinal)));
     }
 
     [Fact]
     public void A_snippet_without_its_namespace_does_not_compile() =>
         Assert.NotEmpty(ServerCompiler.FindErrors("BvhDocument take = BvhDocument.Load(\"walk.bvh\");"));
+
+    private static string Desktop => File.ReadAllText(Repository.PathOf("docs", "guide", "desktop.md"));
+
+    private static string CodeOfWindow(string framework) =>
+        Assert.Single(Block().Matches(Desktop), block => block.Groups["marker"].Value == $"<!-- needs: {framework} -->\n").Groups["code"].Value;
+
+    [GeneratedRegex("(?<=`)Post = action => Dispatcher[^`]+", RegexOptions.ExplicitCapture, matchTimeoutMilliseconds: 1000)]
+    private static partial Regex PostOption();
 
     [GeneratedRegex("^(?<marker><!-- (program|needs): [^\n]* -->\n)?```csharp\n(?<code>.*?)^```", RegexOptions.Multiline | RegexOptions.Singleline | RegexOptions.ExplicitCapture, matchTimeoutMilliseconds: 60_000)]
     private static partial Regex Block();
