@@ -4,7 +4,7 @@ using NeuronMocap.Unity.Tests.Infrastructure;
 
 namespace NeuronMocap.Unity.Tests.Samples;
 
-public sealed class SampleSceneTests : IDisposable
+public sealed partial class SampleSceneTests : IDisposable
 {
     private static readonly string Folder = Path.Combine(Repository.Root, "unity-package", "Samples~");
 
@@ -23,7 +23,7 @@ public sealed class SampleSceneTests : IDisposable
         long[] ids = [.. scene.Documents.Select(static document => document.Id)];
         Assert.Equal(ids.Distinct(), ids);
         Assert.NotEmpty(scene.Scripts);
-        foreach (SceneFile.Document script in scene.Scripts)
+        foreach (SceneFile.Document script in scene.Scripts.Where(static script => !SceneFile.VendorScripts.Contains(SceneFile.Guid(script))))
         {
             Type type = SceneFile.FindScript(SceneFile.Guid(script));
             Assert.All(script.Values.Keys.Where(static name => name.StartsWith('_')), name => Assert.NotNull(SceneFile.FindField(type, name)));
@@ -33,7 +33,7 @@ public sealed class SampleSceneTests : IDisposable
         {
             IEnumerable<string> references = item.Values.Where(static pair => pair.Key != "m_Script").Select(static pair => pair.Value)
                 .Concat(item.Items.Select(static text => text.Replace("component: ", "", StringComparison.Ordinal)))
-                .Where(static text => text.StartsWith("{fileID: ", StringComparison.Ordinal));
+                .Where(static text => text.StartsWith("{fileID: ", StringComparison.Ordinal) && !text.Contains("guid: ", StringComparison.Ordinal));
             Assert.All(references, text => Assert.True(SceneFile.Reference(text) == 0 || ids.Contains(SceneFile.Reference(text)), $"{item.Id}: {text}"));
         }
 
