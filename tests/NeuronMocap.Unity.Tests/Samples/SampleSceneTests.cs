@@ -1,6 +1,7 @@
 using NeuronMocap.Skeleton;
 using NeuronMocap.Unity.Samples;
 using NeuronMocap.Unity.Tests.Infrastructure;
+using UnityEngine.Rendering;
 
 namespace NeuronMocap.Unity.Tests.Samples;
 
@@ -184,6 +185,29 @@ public sealed partial class SampleSceneTests : IDisposable
         Assert.NotEqual(performer.GetPosition(Bone.LeftHand), balloon.localPosition);
     }
 
+    [Theory]
+    [InlineData(true)]
+    [InlineData(false)]
+    public void Tiles_have_a_material_of_the_render_pipeline(bool hasPipeline)
+    {
+        const string lit = "Universal Render Pipeline/Lit";
+        Shader.Available.Add(lit);
+        GraphicsSettings.currentRenderPipeline = hasPipeline ? ScriptableObject.CreateInstance<LitPipeline>() : null;
+        try
+        {
+            Read("Scripting").Build();
+            _loop.Frame();
+            Renderer[] tiles = Find<TileGame>().GetComponentsInChildren<Renderer>();
+            Assert.NotEmpty(tiles);
+            Assert.All(tiles, tile => Assert.Equal(hasPipeline ? lit : "Standard", tile.sharedMaterial!.shader.name));
+        }
+        finally
+        {
+            GraphicsSettings.currentRenderPipeline = null;
+            Shader.Available.Remove(lit);
+        }
+    }
+
     private static SceneFile Read(string sample) => SceneFile.Read(Path.Combine(Folder, sample, sample + ".unity"));
 
     private static T Find<T>()
@@ -203,6 +227,11 @@ public sealed partial class SampleSceneTests : IDisposable
         Quaternion start = figure()!.GetBone(Bone.LeftUpLeg).localRotation;
         _loop.RunUntil(() => figure() is { IsDestroyed: false } shown && Quaternion.Angle(shown.GetBone(Bone.LeftUpLeg).localRotation, start) > 3);
         Assert.DoesNotContain(ConsoleLog.Entries, static entry => entry.Type is LogType.Error or LogType.Exception);
+    }
+
+    private sealed class LitPipeline : RenderPipelineAsset
+    {
+        public override Shader? defaultShader => Shader.Find("Universal Render Pipeline/Lit");
     }
 
     private static class HumanoidFigureSizes
