@@ -8,7 +8,7 @@ namespace NeuronMocap.Unity.Samples
     {
         /// <summary>The text that is shown in the console and in the game view.</summary>
         public const string Text =
-            "This scene needs the package Timeline. Choose Window > Package Manager > Unity Registry > Timeline > Install, and open the scene again.";
+            "This scene needs the package Timeline. Open the Package Manager, choose Unity Registry, install Timeline, and open the scene again.";
 
         /// <summary>Gets whether the project has the package Timeline.</summary>
 #if NEURONMOCAP_TIMELINE
