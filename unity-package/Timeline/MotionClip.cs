@@ -14,7 +14,7 @@ namespace NeuronMocap.Unity.Timeline
         [SerializeField]
         private string _file = string.Empty;
 
-        [Tooltip("A BVH file as a text asset, with the extension .txt or .bytes. It takes precedence over File.")]
+        [Tooltip("A BVH file or a recording as a text asset, with the extension .txt or .bytes. It takes precedence over File.")]
         [SerializeField]
         private TextAsset? _bvhAsset;
 
@@ -36,7 +36,7 @@ namespace NeuronMocap.Unity.Timeline
             set => _file = value ?? string.Empty;
         }
 
-        /// <summary>Gets or sets a BVH file as a text asset. It takes precedence over <see cref="File"/>.</summary>
+        /// <summary>Gets or sets a BVH file or a recording as a text asset. It takes precedence over <see cref="File"/>.</summary>
         public TextAsset? BvhAsset
         {
             get => _bvhAsset;
@@ -97,7 +97,7 @@ namespace NeuronMocap.Unity.Timeline
 
             try
             {
-                _take = _bvhAsset != null ? MotionTake.Parse(_bvhAsset.bytes) : MotionTake.Load(SourceFiles.Resolve(wanted.Item1), _performerIndex);
+                _take = _bvhAsset != null ? MotionTake.Parse(_bvhAsset.bytes, _performerIndex) : MotionTake.Load(SourceFiles.Resolve(wanted.Item1), _performerIndex);
             }
             catch (Exception exception) when (!(exception is OutOfMemoryException))
             {

@@ -4,8 +4,10 @@ using System;
 using System.IO;
 using NeuronMocap.Bvh;
 using NeuronMocap.Motion;
+using NeuronMocap.Recording;
 using NeuronMocap.Server;
 using NeuronMocap.Skeleton;
+using UnityEngine;
 using Vector3 = System.Numerics.Vector3;
 
 namespace NeuronMocap.Unity.Timeline
@@ -35,11 +37,30 @@ namespace NeuronMocap.Unity.Timeline
         // From the first frame to the end of the last one, in seconds.
         public double Duration => (_lastFrame + 1) / _source.FrameRate;
 
-        public static MotionTake Parse(byte[] bvh) => new MotionTake(new BvhSource(BvhDocument.Parse(bvh)));
+        // A text asset: a BVH file or a recording.
+        public static MotionTake Parse(byte[] content, int performer)
+        {
+            if (!RecordingReader.IsRecording(content))
+                return new MotionTake(new BvhSource(BvhDocument.Parse(content)));
+
+            // Recordings are read from files. The folder for temporary files of the system may be missing on phones.
+            string path = Path.Combine(Application.temporaryCachePath, Path.GetRandomFileName());
+            try
+            {
+                File.WriteAllBytes(path, content);
+                return Open(path, performer);
+            }
+            finally
+            {
+                File.Delete(path);
+            }
+        }
 
         public static MotionTake Load(string path, int performer) => Path.GetExtension(path).Equals(".bvh", StringComparison.OrdinalIgnoreCase)
             ? new MotionTake(new BvhSource(BvhDocument.Load(path)))
-            : new MotionTake(RecordingSource.Load(path, performer < 0 ? (int?)null : performer));
+            : Open(path, performer);
+
+        private static MotionTake Open(string path, int performer) => new MotionTake(RecordingSource.Load(path, performer < 0 ? (int?)null : performer));
 
         // The pose at a time. Before and after the file, it is the first and the last pose.
         public void Sample(double seconds, Span<BoneTransform> pose)

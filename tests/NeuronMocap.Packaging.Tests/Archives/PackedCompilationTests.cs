@@ -20,7 +20,8 @@ public sealed class PackedCompilationTests
 
         compiler.CompileAll();
 
-        Assert.Equal((isEditor ? 8 : 7) + (hasTimeline ? 1 : 0), compiler.Definitions.Length);
+        int samples = Package.AssetFolders.Count(static folder => AssetPath.ParentOf(folder) == AssetPath.Samples);
+        Assert.Equal(samples + (isEditor ? 3 : 2) + (hasTimeline ? 1 : 0), compiler.Definitions.Length);
         Assert.Equal(compiler.Definitions.Length, compiler.Compiled.Count);
         Assert.Equal(hasTimeline, compiler.Compiled.Contains("NeuronMocap.Unity.Timeline"));
     }

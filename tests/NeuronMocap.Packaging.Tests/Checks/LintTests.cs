@@ -40,6 +40,8 @@ public sealed class LintTests
         { "package.json", "org.neuronmocap.unity", "NeuronMocap", "name must be lower-case letters" },
         { "package.json", "\"2021.3\"", "\"2021.3.1f1\"", "unity must look like 2021.3" },
         { "package.json", "\"displayName\": \"NeuronMocap\"", "\"displayName\": \"\"", "displayName is missing" },
+        { "package.json", "\"author\"", "\"writer\"", "author lacks its url" },
+        { "package.json", "\"repository\"", "\"home\"", "repository lacks its url" },
         { "package.json", "com.unity.modules.animation", "com.other.animation", "com.other.animation is not a module" },
         { "package.json", "Samples~/VrHead", "Samples~/VrHat", "the sample Samples~/VrHat does not exist" },
         { "package.json", "Samples~/VrHead", "Samples~/VrHat", "does not list the sample Samples~/VrHead" },
@@ -150,6 +152,14 @@ public sealed class LintTests
             files[$"{path}.meta"] = Encoding.UTF8.GetBytes(MetaFile.Create(path, isFolder: false, MetaFile.DeriveGuid(path)));
         });
         Assert.Equal([$"{path}: refers to {guid}, which is not in the package"], PackageLint.Check(package));
+    }
+
+    [Fact]
+    public void Only_the_sample_of_the_conversion_may_lack_the_vendors_scripts()
+    {
+        StagedPackage package = ThePackage.With(static files =>
+            files["Samples~/QuickStart/QuickStart.unity"] = files["Samples~/VendorComponents/VendorComponents.unity"]);
+        Assert.True(Finds(package, "QuickStart.unity: refers to 41173daca41f9a64b8552925c6a3c363"));
     }
 
     private static bool Finds(StagedPackage package, string finding) =>

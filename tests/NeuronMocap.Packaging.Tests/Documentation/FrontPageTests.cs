@@ -68,6 +68,19 @@ public sealed partial class FrontPageTests
         Assert.True(File.Exists(Repository.PathOf(address[root.Length..].Split('/'))));
     }
 
+    // Registries find the source of a package with these.
+    [Fact]
+    public void The_unity_package_names_its_author_and_repository()
+    {
+        using var manifest = JsonDocument.Parse(ThePackage.Staged.Files["package.json"]);
+        JsonElement repository = manifest.RootElement.GetProperty("repository");
+
+        Assert.Equal(ProjectUrl, manifest.RootElement.GetProperty("author").GetProperty("url").GetString());
+        Assert.Equal("git", repository.GetProperty("type").GetString());
+        Assert.Equal($"{ProjectUrl}.git", repository.GetProperty("url").GetString());
+        Assert.True(File.Exists(Repository.PathOf(repository.GetProperty("directory").GetString()!, "package.json")));
+    }
+
     [Fact]
     public void The_sample_takes_are_complete()
     {

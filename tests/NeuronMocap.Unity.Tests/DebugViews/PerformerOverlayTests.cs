@@ -29,6 +29,22 @@ public sealed class PerformerOverlayTests : IDisposable
     }
 
     [Fact]
+    public void Several_sources_are_listed_with_their_names()
+    {
+        MocapSource left = Stage.AddSimulator();
+        MocapSource right = Stage.AddSimulator(performers: 2);
+        (left.name, right.name) = ("Left", "Right");
+        PerformerOverlay overlay = new GameObject("Overlay").AddComponent<PerformerOverlay>();
+        overlay.Interval = 0.1f;
+
+        _loop.RunUntil(() => overlay.Lines.Count == 3);
+
+        Assert.StartsWith("Left: Char00 (0): ", overlay.Lines[0], StringComparison.Ordinal);
+        Assert.StartsWith("Right: Char00 (0): ", overlay.Lines[1], StringComparison.Ordinal);
+        Assert.StartsWith("Right: Char01 (1): ", overlay.Lines[2], StringComparison.Ordinal);
+    }
+
+    [Fact]
     public void Without_performers_the_status_is_shown_and_without_a_source_nothing()
     {
         PerformerOverlay overlay = new GameObject("Overlay").AddComponent<PerformerOverlay>();

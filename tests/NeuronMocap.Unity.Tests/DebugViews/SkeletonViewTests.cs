@@ -78,6 +78,34 @@ public sealed class SkeletonViewTests : IDisposable
         Assert.Contains(places, place => (place - GizmoLog.Calls[0].From).magnitude < 1e-5f);
     }
 
+    [Theory]
+    [InlineData(RootMotionTarget.RootTransform)]
+    [InlineData(RootMotionTarget.CharacterController)]
+    public void The_view_stays_at_a_figure_whose_root_travels(RootMotionTarget target)
+    {
+        MocapSource source = Stage.AddSimulator();
+        var holder = new GameObject("Figure");
+        holder.transform.SetPositionAndRotation(new Vector3(3, 0, 7), Quaternion.Euler(0, 70, 0));
+        holder.AddComponent<CharacterController>().minMoveDistance = 0;
+        CharacterController.Floor = -1;
+        HumanoidDriver driver = holder.AddComponent<HumanoidDriver>();
+        driver.Source = source;
+        driver.RootMotionTarget = target;
+        FigureBuilder builder = holder.AddComponent<FigureBuilder>();
+        SkeletonView view = AddView(null);
+        view.Driver = driver;
+        Vector3 start = holder.transform.position;
+
+        _loop.RunUntil(() => (holder.transform.position - start).magnitude > 0.4f);
+
+        GizmoCall[] lines = [.. GizmoLog.Calls.Where(static call => call.Shape == "Line")];
+        foreach (Bone bone in (Bone[])[Bone.LeftHand, Bone.RightFoot, Bone.Head])
+        {
+            Vector3 place = builder.Figure!.GetBone(bone).position;
+            Assert.Contains(lines, line => (line.To - place).magnitude < 0.05f);
+        }
+    }
+
     [Fact]
     public void The_view_stands_at_the_driven_character()
     {

@@ -72,7 +72,7 @@ public sealed class AssemblyDefinitionTests
     [Fact]
     public void Scripts_use_only_defined_symbols()
     {
-        string[] known = ["UNITY_EDITOR", "UNITY_2021_3_OR_NEWER", "UNITY_6000_1_OR_NEWER", "UNITY_IOS", "UNITY_ANDROID", "UNITY_WEBGL", "ENABLE_LEGACY_INPUT_MANAGER"];
+        string[] known = ["UNITY_EDITOR", "UNITY_2021_3_OR_NEWER", "UNITY_6000_1_OR_NEWER", "UNITY_IOS", "UNITY_ANDROID", "UNITY_WEBGL", "ENABLE_LEGACY_INPUT_MANAGER", "NEURONMOCAP_TIMELINE"];
         foreach (string path in Directory.GetFiles(Package, "*.cs", SearchOption.AllDirectories))
         {
             foreach (string line in File.ReadLines(path).Select(static line => line.Trim()).Where(static line => line.StartsWith("#if", StringComparison.Ordinal) || line.StartsWith("#elif", StringComparison.Ordinal)))

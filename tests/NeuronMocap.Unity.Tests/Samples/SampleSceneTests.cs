@@ -1,10 +1,11 @@
 using NeuronMocap.Skeleton;
 using NeuronMocap.Unity.Samples;
 using NeuronMocap.Unity.Tests.Infrastructure;
+using UnityEngine.Rendering;
 
 namespace NeuronMocap.Unity.Tests.Samples;
 
-public sealed class SampleSceneTests : IDisposable
+public sealed partial class SampleSceneTests : IDisposable
 {
     private static readonly string Folder = Path.Combine(Repository.Root, "unity-package", "Samples~");
 
@@ -23,7 +24,7 @@ public sealed class SampleSceneTests : IDisposable
         long[] ids = [.. scene.Documents.Select(static document => document.Id)];
         Assert.Equal(ids.Distinct(), ids);
         Assert.NotEmpty(scene.Scripts);
-        foreach (SceneFile.Document script in scene.Scripts)
+        foreach (SceneFile.Document script in scene.Scripts.Where(static script => !SceneFile.VendorScripts.Contains(SceneFile.Guid(script))))
         {
             Type type = SceneFile.FindScript(SceneFile.Guid(script));
             Assert.All(script.Values.Keys.Where(static name => name.StartsWith('_')), name => Assert.NotNull(SceneFile.FindField(type, name)));
@@ -33,7 +34,7 @@ public sealed class SampleSceneTests : IDisposable
         {
             IEnumerable<string> references = item.Values.Where(static pair => pair.Key != "m_Script").Select(static pair => pair.Value)
                 .Concat(item.Items.Select(static text => text.Replace("component: ", "", StringComparison.Ordinal)))
-                .Where(static text => text.StartsWith("{fileID: ", StringComparison.Ordinal));
+                .Where(static text => text.StartsWith("{fileID: ", StringComparison.Ordinal) && !text.Contains("guid: ", StringComparison.Ordinal));
             Assert.All(references, text => Assert.True(SceneFile.Reference(text) == 0 || ids.Contains(SceneFile.Reference(text)), $"{item.Id}: {text}"));
         }
 
@@ -184,6 +185,29 @@ public sealed class SampleSceneTests : IDisposable
         Assert.NotEqual(performer.GetPosition(Bone.LeftHand), balloon.localPosition);
     }
 
+    [Theory]
+    [InlineData(true)]
+    [InlineData(false)]
+    public void Tiles_have_a_material_of_the_render_pipeline(bool hasPipeline)
+    {
+        const string lit = "Universal Render Pipeline/Lit";
+        Shader.Available.Add(lit);
+        GraphicsSettings.currentRenderPipeline = hasPipeline ? ScriptableObject.CreateInstance<LitPipeline>() : null;
+        try
+        {
+            Read("Scripting").Build();
+            _loop.Frame();
+            Renderer[] tiles = Find<TileGame>().GetComponentsInChildren<Renderer>();
+            Assert.NotEmpty(tiles);
+            Assert.All(tiles, tile => Assert.Equal(hasPipeline ? lit : "Standard", tile.sharedMaterial!.shader.name));
+        }
+        finally
+        {
+            GraphicsSettings.currentRenderPipeline = null;
+            Shader.Available.Remove(lit);
+        }
+    }
+
     private static SceneFile Read(string sample) => SceneFile.Read(Path.Combine(Folder, sample, sample + ".unity"));
 
     private static T Find<T>()
@@ -203,6 +227,11 @@ public sealed class SampleSceneTests : IDisposable
         Quaternion start = figure()!.GetBone(Bone.LeftUpLeg).localRotation;
         _loop.RunUntil(() => figure() is { IsDestroyed: false } shown && Quaternion.Angle(shown.GetBone(Bone.LeftUpLeg).localRotation, start) > 3);
         Assert.DoesNotContain(ConsoleLog.Entries, static entry => entry.Type is LogType.Error or LogType.Exception);
+    }
+
+    private sealed class LitPipeline : RenderPipelineAsset
+    {
+        public override Shader? defaultShader => Shader.Find("Universal Render Pipeline/Lit");
     }
 
     private static class HumanoidFigureSizes

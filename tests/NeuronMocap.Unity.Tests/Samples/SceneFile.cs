@@ -1,14 +1,19 @@
 using System.Globalization;
 using System.Reflection;
+using UnityEngine.Playables;
 
 namespace NeuronMocap.Unity.Tests.Samples;
 
 /// <summary>A scene in Unity's text format, as far as the samples use it: read, checked, and built in the engine.</summary>
 internal sealed class SceneFile
 {
+    // NeuronAnimatorInstance and NeuronTransformsInstance, whose scripts are missing on purpose.
+    public static readonly string[] VendorScripts = ["41173daca41f9a64b8552925c6a3c363", "b9f969a3a049578478f71ba66294d9d5"];
+
     private const int GameObjectClass = 1;
     private const int TransformClass = 4;
     private const int ScriptClass = 114;
+    private const int DirectorClass = 320;
 
     private readonly List<Document> _documents = [];
 
@@ -34,6 +39,10 @@ internal sealed class SceneFile
             {
                 scene._documents[^1].Add(line[4..]);
             }
+            else if (line.StartsWith("    ", StringComparison.Ordinal))
+            {
+                scene._documents[^1].AddNested(line[4..]);
+            }
             else if (line.StartsWith("  ", StringComparison.Ordinal))
             {
                 int colon = line.IndexOf(':', StringComparison.Ordinal);
@@ -47,15 +56,16 @@ internal sealed class SceneFile
     /// <summary>Finds the type of a script by the GUID in its meta file.</summary>
     public static Type FindScript(string guid)
     {
-        string package = System.IO.Path.Combine(Repository.Root, "unity-package");
-        string meta = Directory.EnumerateFiles(package, "*.cs.meta", SearchOption.AllDirectories)
-            .Single(path => File.ReadLines(path).Contains($"guid: {guid}"));
-        string name = System.IO.Path.GetFileName(meta)[..^".cs.meta".Length];
+        string name = System.IO.Path.GetFileNameWithoutExtension(FindAsset(guid));
         return AppDomain.CurrentDomain.GetAssemblies()
-            .Where(static assembly => assembly.GetName().Name is "NeuronMocap.Unity" or "NeuronMocap.Unity.Samples")
+            .Where(static assembly => assembly.GetName().Name is "NeuronMocap.Unity" or "NeuronMocap.Unity.Samples" or "NeuronMocap.Unity.Timeline")
             .SelectMany(static assembly => assembly.GetTypes())
-            .Single(type => type.Name == name && type.IsSubclassOf(typeof(MonoBehaviour)));
+            .Single(type => type.Name == name && (type.IsSubclassOf(typeof(MonoBehaviour)) || type.IsSubclassOf(typeof(ScriptableObject))));
     }
+
+    /// <summary>Finds the file of an asset of the package by its GUID.</summary>
+    public static string FindAsset(string guid) => Directory.EnumerateFiles(System.IO.Path.Combine(Repository.Root, "unity-package"), "*.meta", SearchOption.AllDirectories)
+        .Single(path => File.ReadLines(path).Contains($"guid: {guid}"))[..^".meta".Length];
 
     /// <summary>Finds the serialised field for a name in a scene.</summary>
     public static FieldInfo? FindField(Type script, string name)
@@ -88,7 +98,9 @@ internal sealed class SceneFile
             ((Transform)objects[part.Id]).SetParent((Transform)objects[Reference(part["m_Father"])], false);
 
         foreach (Document script in Scripts)
-            SetFields(script, (MonoBehaviour)objects[script.Id], objects);
+            SetFields(script, objects[script.Id], objects);
+        foreach (Document director in _documents.Where(static document => document.Class == DirectorClass))
+            SetTimeline(director, (PlayableDirector)objects[director.Id], objects);
 
         foreach (GameObject item in objects.Values.OfType<GameObject>())
             item.SetActive(true);
@@ -105,6 +117,13 @@ internal sealed class SceneFile
             case TransformClass:
                 item.transform.localPosition = Vector(part["m_LocalPosition"]);
                 return item.transform;
+            case DirectorClass:
+                return item.AddComponent<PlayableDirector>();
+            case 143:
+                CharacterController controller = item.AddComponent<CharacterController>();
+                (controller.height, controller.radius) = (Number(part["m_Height"]), Number(part["m_Radius"]));
+                (controller.center, controller.minMoveDistance) = (Vector(part["m_Center"]), Number(part["m_MinMoveDistance"]));
+                return controller;
             case 20:
                 return item.AddComponent<Camera>();
             case 81:
@@ -117,19 +136,41 @@ internal sealed class SceneFile
         }
     }
 
-    private static void SetFields(Document document, MonoBehaviour script, Dictionary<long, Object> objects)
+    public static void SetFields(Document document, Object script, Dictionary<long, Object> objects)
     {
         foreach ((string name, string value) in document.Values.Where(static pair => pair.Key.StartsWith('_')))
         {
             FieldInfo field = FindField(script.GetType(), name) ?? throw new InvalidDataException($"{script.GetType().Name} has no field {name}.");
-            field.SetValue(script, Convert(value, field.FieldType, objects));
+            if (document.Parts(name).SingleOrDefault() is { } nested)
+                SetNested(field.GetValue(script)!, nested, objects);
+            else
+                field.SetValue(script, Convert(value, field.FieldType, objects));
         }
     }
 
-    private static object Convert(string value, Type type, Dictionary<long, Object> objects)
+    private static void SetNested(object settings, IReadOnlyDictionary<string, string> values, Dictionary<long, Object> objects)
     {
+        foreach ((string name, string value) in values)
+        {
+            FieldInfo field = FindField(settings.GetType(), name) ?? throw new InvalidDataException($"{settings.GetType().Name} has no field {name}.");
+            field.SetValue(settings, Convert(value, field.FieldType, objects));
+        }
+    }
+
+    private static void SetTimeline(Document document, PlayableDirector director, Dictionary<long, Object> objects)
+    {
+        var timeline = TimelineFile.Load(FindAsset(document["m_PlayableAsset"].Split("guid: ")[1].Split(',')[0]));
+        director.playableAsset = timeline.Asset;
+        foreach (IReadOnlyDictionary<string, string> binding in document.Parts("m_SceneBindings"))
+            director.SetGenericBinding(timeline.Tracks[Reference(binding["key"])], objects[Reference(binding["value"])]);
+    }
+
+    private static object? Convert(string value, Type type, Dictionary<long, Object> objects)
+    {
+        if (type == typeof(TextAsset))
+            return new TextAsset(File.ReadAllBytes(FindAsset(value.Split("guid: ")[1].Split(',')[0])));
         if (typeof(Object).IsAssignableFrom(type))
-            return objects[Reference(value)];
+            return Reference(value) == 0 ? null : objects[Reference(value)];
         if (type == typeof(bool))
             return value == "1";
         if (type.IsEnum)
@@ -138,9 +179,11 @@ internal sealed class SceneFile
         return type == typeof(Vector3) ? Vector(value) : System.Convert.ChangeType(value, type, CultureInfo.InvariantCulture);
     }
 
+    private static float Number(string value) => float.Parse(value, CultureInfo.InvariantCulture);
+
     private static Vector3 Vector(string value)
     {
-        float[] numbers = [.. value.Trim('{', '}').Split(", ").Select(static part => float.Parse(part[3..], CultureInfo.InvariantCulture))];
+        float[] numbers = [.. value.Trim('{', '}').Split(", ").Select(static part => Number(part[3..]))];
         return new Vector3(numbers[0], numbers[1], numbers[2]);
     }
 
@@ -148,6 +191,8 @@ internal sealed class SceneFile
     {
         private readonly Dictionary<string, string> _values = [];
         private readonly List<string> _items = [];
+        private readonly List<(string Parent, Dictionary<string, string> Values)> _parts = [];
+        private string _parent = "";
 
         public int Class => @class;
 
@@ -160,8 +205,32 @@ internal sealed class SceneFile
 
         public string this[string name] => _values[name];
 
-        public void Add(string name, string value) => _values.Add(name, value);
+        /// <summary>Gets the nested values of a field: one set, or one for each item of a list. Deeper values are left out.</summary>
+        public IEnumerable<IReadOnlyDictionary<string, string>> Parts(string parent) => _parts.Where(part => part.Parent == parent).Select(static part => part.Values);
 
-        public void Add(string item) => _items.Add(item);
+        public void Add(string name, string value)
+        {
+            _values.Add(name, value);
+            _parent = name;
+        }
+
+        public void Add(string item)
+        {
+            _items.Add(item);
+            _parts.Add((_parent, []));
+            AddNested(item);
+        }
+
+        public void AddNested(string line)
+        {
+            int colon = line.IndexOf(": ", StringComparison.Ordinal);
+            if (line[0] is ' ' or '-' or '{' || colon < 0)
+                return;
+
+            if (_parts.Count == 0 || _parts[^1].Parent != _parent)
+                _parts.Add((_parent, []));
+
+            _parts[^1].Values.Add(line[..colon], line[(colon + 2)..]);
+        }
     }
 }

@@ -156,6 +156,22 @@ public sealed partial class TimelineTests : SourceFixture
         AssertPose(Retarget(new BvhSource(BvhDocument.Load(Bvh)), 0));
     }
 
+    [Fact]
+    public void A_recording_can_be_a_text_asset()
+    {
+        Begin(play: false);
+        TimelineClip clip = AddClip("", 0);
+        ((MotionClip)clip.asset).BvhAsset = new TextAsset(File.ReadAllBytes(Recording));
+        clip.duration = 1;
+        string[] before = Directory.GetFiles(Application.temporaryCachePath);
+
+        ShowAt(0.5);
+
+        RecordingSource take = RecordingSource.Load(Recording);
+        AssertPose(Retarget(take, 0.5 * take.FrameRate));
+        Assert.Equal(before, Directory.GetFiles(Application.temporaryCachePath));
+    }
+
     [Theory]
     [InlineData("", "no file")]
     [InlineData("missing.bvh", "missing.bvh")]

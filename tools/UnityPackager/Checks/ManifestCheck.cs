@@ -43,6 +43,12 @@ internal static partial class ManifestCheck
         if (!UnityVersion().IsMatch(GetText(manifest, "unity")))
             yield return "package.json: unity must look like 2021.3";
 
+        foreach (string name in (string[])["author", "repository"])
+        {
+            if (!manifest.TryGetProperty(name, out JsonElement part) || GetText(part, "url").Length == 0)
+                yield return $"package.json: {name} lacks its url";
+        }
+
         if (manifest.TryGetProperty("dependencies", out JsonElement dependencies))
         {
             foreach (JsonProperty dependency in dependencies.EnumerateObject().Where(static dependency => !dependency.Name.StartsWith("com.unity.modules.", StringComparison.Ordinal)))

@@ -6,7 +6,7 @@ using UnityEngine;
 namespace NeuronMocap.Unity
 {
     /// <summary>
-    /// Lists the performers of a source over the game view: frame rate, delay, jitter and late frames of each. The delay counts from the arrival of a
+    /// Lists the performers of one source, or of all, over the game view: frame rate, delay, jitter and late frames of each. The delay counts from the arrival of a
     /// frame. The smoothing of a figure adds its own delay, which the figure's driver shows.
     /// </summary>
     [AddComponentMenu("NeuronMocap/Performer Overlay")]
@@ -18,7 +18,7 @@ namespace NeuronMocap.Unity
         private const float LineHeight = 24;
 
         [SerializeField]
-        [Tooltip("The source whose performers are listed. Empty: the first one in the scene.")]
+        [Tooltip("The source whose performers are listed. Empty: all sources in the scene.")]
         private MocapSource? _source;
 
         [SerializeField]
@@ -33,7 +33,7 @@ namespace NeuronMocap.Unity
         private readonly List<string> _lines = new List<string>();
         private float _nextUpdate;
 
-        /// <summary>Gets or sets the source whose performers are listed. Null: the first of <see cref="MocapSource.All"/>.</summary>
+        /// <summary>Gets or sets the source whose performers are listed. Null: all of <see cref="MocapSource.All"/>, with their names if there are several.</summary>
         public MocapSource? Source
         {
             get => _source;
@@ -73,14 +73,22 @@ namespace NeuronMocap.Unity
 
             _nextUpdate = now + _interval;
             _lines.Clear();
-            MocapSource? source = _source != null ? _source : MocapSource.All.Count > 0 ? MocapSource.All[0] : null;
-            if (source == null)
+            if (_source != null)
+            {
+                List(_source, string.Empty);
                 return;
+            }
 
+            for (int i = 0; i < MocapSource.All.Count; i++)
+                List(MocapSource.All[i], MocapSource.All.Count > 1 ? MocapSource.All[i].name + ": " : string.Empty);
+        }
+
+        private void List(MocapSource source, string prefix)
+        {
             if (source.Performers.Count == 0)
-                _lines.Add(source.StatusMessage);
+                _lines.Add(prefix + source.StatusMessage);
             for (int i = 0; i < source.Performers.Count; i++)
-                _lines.Add(Describe(source.Performers[i]));
+                _lines.Add(prefix + Describe(source.Performers[i]));
         }
 
         private void OnGUI()

@@ -176,6 +176,18 @@ namespace NeuronMocap.Unity
             _ => transform,
         };
 
+        // From the performer's stage to the scene. A root that travels is always at the hips.
+        private Matrix4x4 FindPlace(Performer performer)
+        {
+            Matrix4x4 stage = Stage.localToWorldMatrix;
+            if (_driver == null || _driver.RootMotionTarget == RootMotionTarget.Hips)
+                return stage;
+
+            Vector3 hips = performer.GetPosition(Bone.Hips);
+            Quaternion facing = Heading.About(System.Numerics.Vector3.UnitY, performer.GetRotation(Bone.Hips).ToNumerics()).ToUnity();
+            return stage * Matrix4x4.TRS(new Vector3(hips.x, 0, hips.z), facing, Vector3.one).inverse;
+        }
+
         private void OnDisable() => _trails = Array.Empty<PositionTrail>();
 
         private void LateUpdate()
@@ -201,7 +213,7 @@ namespace NeuronMocap.Unity
                 return;
 
             Matrix4x4 before = Gizmos.matrix;
-            Gizmos.matrix = Stage.localToWorldMatrix;
+            Gizmos.matrix = FindPlace(performer);
             if (_showBones)
                 DrawBones(performer);
             if (_showJoints)
@@ -269,7 +281,7 @@ namespace NeuronMocap.Unity
         {
 #if UNITY_EDITOR
             Matrix4x4 before = Handles.matrix;
-            Handles.matrix = Stage.localToWorldMatrix;
+            Handles.matrix = FindPlace(performer);
             string[] names = Names[(int)performer.Variant];
             foreach (Bone bone in BoneHierarchy.Bones)
             {

@@ -2,6 +2,7 @@
 using System;
 using System.Collections.Generic;
 using UnityEngine;
+using UnityEngine.Rendering;
 
 namespace NeuronMocap.Unity.Samples
 {
@@ -34,6 +35,7 @@ namespace NeuronMocap.Unity.Samples
         private readonly Dictionary<Vector2Int, Renderer> _tiles = new Dictionary<Vector2Int, Renderer>();
         private readonly HashSet<Vector2Int> _painted = new HashSet<Vector2Int>();
         private MaterialPropertyBlock? _color;
+        private Material? _material;
         private Transform? _balloon;
 
         /// <summary>Gets or sets the source whose first performer plays.</summary>
@@ -73,6 +75,7 @@ namespace NeuronMocap.Unity.Samples
         private void Start()
         {
             _color = new MaterialPropertyBlock();
+            _material = CreateMaterial();
             for (int x = 0; x < _tilesPerSide; x++)
             {
                 for (int z = 0; z < _tilesPerSide; z++)
@@ -94,6 +97,12 @@ namespace NeuronMocap.Unity.Samples
             Play(performer);
         }
 
+        private void OnDestroy()
+        {
+            if (_material != null)
+                Destroy(_material);
+        }
+
         private void OnGUI() => GUI.Label(new Rect(10, 10, 300, 40), $"{_painted.Count} of {_tiles.Count} tiles, {Balloons} balloons");
 
         private void AddTile(Vector2Int tile)
@@ -111,7 +120,19 @@ namespace NeuronMocap.Unity.Samples
             Destroy(thing.GetComponent<Collider>());
             thing.transform.SetParent(transform, false);
             thing.transform.localScale = scale;
-            return thing.GetComponent<Renderer>();
+            Renderer surface = thing.GetComponent<Renderer>();
+            if (_material != null)
+                surface.sharedMaterial = _material;
+
+            return surface;
+        }
+
+        // Primitives have the material of the built-in pipeline, which players with URP or HDRP do not draw. Null: it fits.
+        private static Material? CreateMaterial()
+        {
+            RenderPipelineAsset? pipeline = GraphicsSettings.currentRenderPipeline;
+            Shader? shader = pipeline != null ? pipeline.defaultShader : null;
+            return shader != null ? new Material(shader) : null;
         }
 
         private void Paint(Vector3 foot)

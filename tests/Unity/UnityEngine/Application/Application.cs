@@ -46,7 +46,7 @@ public static class Application
 
     public static string streamingAssetsPath => Main(Path.Combine(Folder, "Assets", "StreamingAssets"));
 
-    public static string temporaryCachePath => Main(Path.Combine(Folder, "Temp"));
+    public static string temporaryCachePath => Main(Directory.CreateDirectory(Path.Combine(Folder, "Temp")).FullName);
 
     public static NetworkReachability internetReachability => NetworkReachability.ReachableViaLocalAreaNetwork;
 
