@@ -1,3 +1,4 @@
 using System.Runtime.CompilerServices;
 
+[assembly: InternalsVisibleTo("NeuronMocap.Unity.Timeline.Editor")]
 [assembly: InternalsVisibleTo("NeuronMocap.Unity.Tests")]

@@ -73,6 +73,8 @@ namespace NeuronMocap.Unity.Timeline
             return playable;
         }
 
+        internal string FileName => _bvhAsset != null ? _bvhAsset.name : _file.Trim();
+
         /// <summary>Reads the file again. Call it after the file has changed.</summary>
         public void Reload()
         {
@@ -81,7 +83,7 @@ namespace NeuronMocap.Unity.Timeline
         }
 
         // A file is read once, also if it cannot be used.
-        private MotionTake? Load()
+        internal MotionTake? Load()
         {
             var wanted = (_file.Trim(), _bvhAsset, _performerIndex);
             if (_loaded.File != null && _loaded == wanted)
@@ -102,7 +104,7 @@ namespace NeuronMocap.Unity.Timeline
             catch (Exception exception) when (!(exception is OutOfMemoryException))
             {
                 // Whatever is wrong with the file, Timeline must go on with the other clips.
-                Problem = $"The file {(_bvhAsset != null ? _bvhAsset.name : wanted.Item1)} cannot be used: {exception.Message}";
+                Problem = $"The file {FileName} cannot be used: {exception.Message}";
             }
 
             return _take;

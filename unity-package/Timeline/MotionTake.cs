@@ -34,8 +34,16 @@ namespace NeuronMocap.Unity.Timeline
 
         public SkeletonBody Body { get; }
 
+        public long FrameCount => _lastFrame + 1;
+
+        // In frames per second.
+        public double FrameRate => _source.FrameRate;
+
+        // Empty if the file names no performer.
+        public string PerformerName => _source is RecordingSource recording ? recording.AvatarName : string.Empty;
+
         // From the first frame to the end of the last one, in seconds.
-        public double Duration => (_lastFrame + 1) / _source.FrameRate;
+        public double Duration => FrameCount / FrameRate;
 
         // A text asset: a BVH file or a recording.
         public static MotionTake Parse(byte[] content, int performer)

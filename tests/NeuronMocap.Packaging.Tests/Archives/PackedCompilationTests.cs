@@ -14,15 +14,17 @@ public sealed class PackedCompilationTests
     [InlineData(false, false)]
     [InlineData(true, true)]
     [InlineData(false, true)]
-    public void The_packed_sources_compile_alone_and_with_the_package_of_Timeline(bool isEditor, bool hasTimeline)
+    public void The_packed_sources_compile_alone_and_with_Timeline_and_Live_Capture(bool isEditor, bool hasOtherPackages)
     {
-        var compiler = new UnityCompiler(Package, isEditor, hasTimeline);
+        var compiler = new UnityCompiler(Package, isEditor, hasOtherPackages);
 
         compiler.CompileAll();
 
         int samples = Package.AssetFolders.Count(static folder => AssetPath.ParentOf(folder) == AssetPath.Samples);
-        Assert.Equal(samples + (isEditor ? 3 : 2) + (hasTimeline ? 1 : 0), compiler.Definitions.Length);
+        Assert.Equal(samples + (isEditor ? 3 : 2) + (hasOtherPackages ? isEditor ? 3 : 2 : 0), compiler.Definitions.Length);
         Assert.Equal(compiler.Definitions.Length, compiler.Compiled.Count);
-        Assert.Equal(hasTimeline, compiler.Compiled.Contains("NeuronMocap.Unity.Timeline"));
+        Assert.Equal(hasOtherPackages, compiler.Compiled.Contains("NeuronMocap.Unity.Timeline"));
+        Assert.Equal(hasOtherPackages, compiler.Compiled.Contains("NeuronMocap.Unity.LiveCapture"));
+        Assert.Equal(hasOtherPackages && isEditor, compiler.Compiled.Contains("NeuronMocap.Unity.Timeline.Editor"));
     }
 }

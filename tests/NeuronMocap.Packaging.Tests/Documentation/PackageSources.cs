@@ -25,7 +25,8 @@ internal sealed partial class PackageSources
             .ToDictionary(static declaration => declaration.Identifier.Text, StringComparer.Ordinal);
     }
 
-    public static PackageSources Load() => new(Parse(Path.Combine(ThePackage.Folder, "Runtime")), Parse(Repository.PathOf("src", "NeuronMocap")));
+    public static PackageSources Load() => new(
+        Parse(Path.Combine(ThePackage.Folder, "Runtime")).Concat(Parse(Path.Combine(ThePackage.Folder, "LiveCapture"))), Parse(Repository.PathOf("src", "NeuronMocap")));
 
     /// <summary>The components of the menu, by their menu names.</summary>
     public IEnumerable<(string Menu, TypeDeclarationSyntax Type)> Components => _types

@@ -22,15 +22,15 @@ internal sealed class UnityCompiler
     private readonly Dictionary<string, MetadataReference> _installed = new(StringComparer.Ordinal);
     private readonly Dictionary<string, MetadataReference> _compiled = new(StringComparer.Ordinal);
 
-    public UnityCompiler(StagedPackage package, bool isEditor, bool hasTimeline = false)
+    public UnityCompiler(StagedPackage package, bool isEditor, bool hasOtherPackages = false)
     {
-        if (hasTimeline)
-            _installed.Add("Unity.Timeline", StandIn("Unity.Timeline"));
+        foreach (string assembly in hasOtherPackages ? (string[])["Unity.Timeline", "Unity.LiveCapture"] : [])
+            _installed.Add(assembly, StandIn(assembly));
 
         _package = package;
         _unity = [StandIn("UnityEngine"), .. isEditor ? (MetadataReference[])[StandIn("UnityEditor")] : []];
         _options = new(LanguageVersion.CSharp9, DocumentationMode.None, preprocessorSymbols: ["UNITY_2021_3_OR_NEWER", .. isEditor ? (string[])["UNITY_EDITOR"] : []]);
-        Definitions = [.. AssemblyDefinition.FindAll(package).Where(definition => !definition.IsTest && (isEditor || !definition.IsEditorOnly) && (hasTimeline || !definition.NeedsOtherPackage))];
+        Definitions = [.. AssemblyDefinition.FindAll(package).Where(definition => !definition.IsTest && (isEditor || !definition.IsEditorOnly) && (hasOtherPackages || !definition.NeedsOtherPackage))];
     }
 
     /// <summary>The assembly definitions, without tests.</summary>

@@ -1,6 +1,7 @@
 using System.Globalization;
 using System.Net;
 using System.Text;
+using NeuronMocap.Unity.EditorTools;
 
 namespace NeuronMocap.Unity.Tests.Editor;
 
@@ -49,12 +50,12 @@ public class InspectorPictureTests
     {
         switch (control.Kind)
         {
-            case "Property":
+            case "Property" or "Popup":
                 Text(lines, x, y, control.Label, "#c4c4c4");
                 Box(lines, 230, y, Width - 246);
                 Text(lines, 238, y, control.Value, "#e4e4e4");
                 return x;
-            case "Button":
+            case "Button" or "Toggle" when control.Label != DelayPicture.BufferLabel:
                 int width = 16 + (control.Label.Length * 7);
                 Box(lines, x, y, width);
                 Text(lines, x + 8, y, control.Label, "#eeeeee");

@@ -168,8 +168,8 @@ public class SourceInspectorTests
     {
         string folder = Path.Combine(Path.GetTempPath(), "Project", "Assets", "StreamingAssets");
 
-        Assert.Equal("takes/a.bvh", MocapSourceEditor.ToFieldText(Path.Combine(folder, "takes", "a.bvh"), folder));
-        Assert.Equal(Path.Combine(folder + "2", "a.bvh"), MocapSourceEditor.ToFieldText(Path.Combine(folder + "2", "a.bvh"), folder));
+        Assert.Equal("takes/a.bvh", MotionFilePanel.ToFieldText(Path.Combine(folder, "takes", "a.bvh"), folder));
+        Assert.Equal(Path.Combine(folder + "2", "a.bvh"), MotionFilePanel.ToFieldText(Path.Combine(folder + "2", "a.bvh"), folder));
     }
 
     private static int ClosedPort()

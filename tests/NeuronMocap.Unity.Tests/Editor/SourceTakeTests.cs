@@ -136,6 +136,24 @@ public sealed class SourceTakeTests : IDisposable
         Assert.Contains(SourcePanel.Record, EditorWorld.Labels("Button"));
     }
 
+    [Fact]
+    public void In_a_preview_clips_need_play_mode()
+    {
+        using var world = new EditorWorld();
+        MocapSource source = world.AddSource(static source => source.Kind = SourceKind.Simulator);
+        LivePreview.Start(source);
+        TakeSettings settings = TakeSettings.instance;
+        (settings.Clips, settings.Formats) = (true, TakeFormats.None);
+        int components = World.Objects.Count;
+
+        using var take = new SourceTake(source, settings, Recordings);
+
+        Assert.Contains("play mode", take.Problem, StringComparison.Ordinal);
+        Assert.False(take.IsRunning);
+        Assert.Equal(components, World.Objects.Count);
+        LivePreview.StopAll();
+    }
+
     private static void Forget()
     {
         if (Directory.Exists("UserSettings"))

@@ -53,19 +53,22 @@ public sealed class AssemblyDefinitionTests
     {
         string[] players = [.. ProjectNames.Select(static row => row.Data).Where(static name => name.EndsWith(".Player", StringComparison.Ordinal)).Select(static name => name[..^".Player".Length])];
 
-        Assert.Equal(["Compatibility", "Runtime", "Samples", "Tests.PlayMode", "Timeline"], players.Order());
+        Assert.Equal(["Compatibility", "LiveCapture", "Runtime", "Samples", "Tests.PlayMode", "Timeline"], players.Order());
     }
 
-    // Timeline is a package that a project may lack or remove.
-    [Fact]
-    public void Only_the_assembly_for_Timeline_needs_the_package_of_Timeline()
+    // A project may lack or remove these packages.
+    [Theory]
+    [InlineData("com.unity.timeline", "Unity.Timeline", "NeuronMocap.Unity.Timeline", "NeuronMocap.Unity.Timeline.Editor")]
+    [InlineData("com.unity.live-capture", "Unity.LiveCapture", "NeuronMocap.Unity.LiveCapture")]
+    public void Only_the_assemblies_for_another_package_need_it(string package, string assembly, params string[] names)
     {
         Definition[] all = [.. Directory.GetFiles(Package, "*.asmdef", SearchOption.AllDirectories).Select(static path => new Definition(JsonDocument.Parse(File.ReadAllText(path)).RootElement))];
 
-        string[] without = [.. all.Where(static definition => definition.IsCompiledWith("UNITY_INCLUDE_TESTS")).Select(static definition => definition.Name)];
-        Assert.Equal("NeuronMocap.Unity.Timeline", Assert.Single(all, definition => !without.Contains(definition.Name)).Name);
-        Assert.All(all, static definition => Assert.True(definition.IsCompiledWith("UNITY_INCLUDE_TESTS", "com.unity.timeline")));
-        Assert.All(all, definition => Assert.True(definition.References.All(static reference => reference != "Unity.Timeline") || !without.Contains(definition.Name)));
+        Assert.Equal(names, all.Where(definition => definition.References.Contains(assembly)).Select(static definition => definition.Name).Order());
+        Assert.All(all, definition => Assert.Equal(!names.Contains(definition.Name), definition.IsCompiledWith([.. Others(package), "UNITY_INCLUDE_TESTS"])));
+        Assert.All(all, static definition => Assert.True(definition.IsCompiledWith("UNITY_INCLUDE_TESTS", "com.unity.timeline", "com.unity.live-capture")));
+
+        static IEnumerable<string> Others(string package) => ((string[])["com.unity.timeline", "com.unity.live-capture"]).Where(other => other != package);
     }
 
     // Only Unity's own symbols may decide whether a script is compiled in one build and not in the other.
@@ -98,7 +101,7 @@ public sealed class AssemblyDefinitionTests
                 yield return name;
                 yield return "UnityEditor.TestRunner";
             }
-            else if (name == "Unity.Timeline")
+            else if (name is "Unity.Timeline" or "Unity.LiveCapture")
             {
                 yield return name;
             }

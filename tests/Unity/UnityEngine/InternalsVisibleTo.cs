@@ -4,6 +4,7 @@ using System.Runtime.CompilerServices;
 [assembly: InternalsVisibleTo("UnityEditor")]
 [assembly: InternalsVisibleTo("UnityEngine.TestRunner")]
 [assembly: InternalsVisibleTo("Unity.Timeline")]
+[assembly: InternalsVisibleTo("Unity.LiveCapture")]
 [assembly: InternalsVisibleTo("NeuronMocap.Unity.Tests")]
 [assembly: InternalsVisibleTo("NeuronMocap.Benchmarks")]
 [assembly: InternalsVisibleTo("program")]

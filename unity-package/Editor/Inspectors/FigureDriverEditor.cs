@@ -14,29 +14,42 @@ namespace NeuronMocap.Unity.EditorTools
         public const string CheckAgain = "Check the Rig Again";
 
         private RepaintTimer? _timer;
+        private DelayPicture? _picture;
         private DriverReport? _report;
         private IReadOnlyList<ReportRow> _smoothing = Array.Empty<ReportRow>();
         private IReadOnlyList<RigProblem>? _problems;
+        private bool _isSmoothed;
 
         internal IReadOnlyList<RigProblem> Problems => _problems ??= ExamineAll();
 
         public override void OnInspectorGUI()
         {
             serializedObject.Update();
-            FieldDrawing.Draw(serializedObject, IsHidden);
+            int? preset = null;
+            FieldDrawing.Draw(serializedObject, IsHidden, property =>
+            {
+                if (property.name is "_smoothing")
+                    preset = SmoothingPresets.Draw(targets);
+            });
             if (serializedObject.ApplyModifiedProperties())
                 _problems = null;
+            if (preset is { } chosen)
+                SmoothingPresets.Apply(chosen, targets);
 
             EditorGUILayout.Space();
             if (targets.Length > 1)
                 return;
 
+            // A figure that moves does not show its rest pose, which is already captured.
             var driver = (FigureDriver)target;
+            bool isMoved = Application.isPlaying || driver.IsPreviewed || driver.IsPosed;
             if (_report is null || Event.current.type == EventType.Layout)
             {
                 _report = DriverReport.Of(driver, Application.isPlaying);
                 _smoothing = SmoothingReport.Of(driver);
-                _problems ??= ExamineAll();
+                _isSmoothed = driver.Smoothing;
+                if (!isMoved)
+                    _problems ??= ExamineAll();
             }
 
             ReportGui.Headline(_report.Severity, _report.Title);
@@ -44,8 +57,9 @@ namespace NeuronMocap.Unity.EditorTools
             foreach (ReportRow row in _smoothing)
                 ReportGui.Row(row);
 
-            // In play mode the figure has the performer's pose, and its rest pose is already captured.
-            if (Application.isPlaying)
+            if (_isSmoothed)
+                _picture!.DrawSmoothing(driver);
+            if (isMoved)
                 return;
 
             DrawRig(Problems);
@@ -63,13 +77,15 @@ namespace NeuronMocap.Unity.EditorTools
 
         private void OnEnable()
         {
-            _timer = new RepaintTimer(() => Application.isPlaying, Repaint);
+            _picture = new DelayPicture(() => target is FigureDriver driver && driver != null ? driver.Performer : null, isOpen: true);
+            _timer = new RepaintTimer(() => Application.isPlaying || LivePreview.IsOn, Repaint);
             EditorApplication.hierarchyChanged += Forget;
             Undo.undoRedoPerformed += Forget;
         }
 
         private void OnDisable()
         {
+            _picture?.Dispose();
             _timer?.Dispose();
             EditorApplication.hierarchyChanged -= Forget;
             Undo.undoRedoPerformed -= Forget;

@@ -1,6 +1,5 @@
 #nullable enable
 
-using System.IO;
 using System.Linq;
 using UnityEditor;
 using UnityEngine;
@@ -16,6 +15,7 @@ namespace NeuronMocap.Unity.EditorTools
 
         private readonly DiagnosisPanel _diagnosis = new DiagnosisPanel();
         private RepaintTimer? _timer;
+        private DelayPicture? _picture;
         private SourceReport[] _reports = System.Array.Empty<SourceReport>();
 
         internal DiagnosisPanel Diagnosis => _diagnosis;
@@ -36,10 +36,15 @@ namespace NeuronMocap.Unity.EditorTools
                 DrawSummaries(sources);
         }
 
-        private void OnEnable() => _timer = new RepaintTimer(() => Application.isPlaying || _diagnosis.IsDirty, Repaint);
+        private void OnEnable()
+        {
+            _picture = new DelayPicture(() => target is MocapSource source && source != null ? source.Performers.FirstOrDefault() : null, isOpen: false);
+            _timer = new RepaintTimer(() => Application.isPlaying || LivePreview.IsOn || _diagnosis.IsDirty, Repaint);
+        }
 
         private void OnDisable()
         {
+            _picture?.Dispose();
             _timer?.Dispose();
             _diagnosis.Dispose();
         }
@@ -47,39 +52,29 @@ namespace NeuronMocap.Unity.EditorTools
         private void DrawFields(MocapSource[] sources)
         {
             serializedObject.Update();
+            int? preset = SourcePresets.Draw(sources);
             FieldDrawing.Draw(serializedObject, SourceFields.HiddenFor(sources).Contains, property =>
             {
                 if (property.name is "_file" && GUILayout.Button(Browse))
-                    ChooseFile(sources[0].Kind);
+                    MotionFilePanel.Choose(property, sources[0].Kind == SourceKind.BvhFile ? "bvh" : "nmrec");
             });
             serializedObject.ApplyModifiedProperties();
-        }
-
-        private void ChooseFile(SourceKind kind)
-        {
-            string chosen = EditorUtility.OpenFilePanel("Motion", Application.streamingAssetsPath, kind == SourceKind.BvhFile ? "bvh" : "nmrec");
-            if (chosen.Length > 0)
-                serializedObject.FindProperty("_file").stringValue = ToFieldText(chosen, Application.streamingAssetsPath);
-        }
-
-        // Paths relative to StreamingAssets stay valid when the project moves, and in builds.
-        internal static string ToFieldText(string path, string streamingAssets)
-        {
-            string full = Path.GetFullPath(path);
-            string folder = Path.GetFullPath(streamingAssets) + Path.DirectorySeparatorChar;
-            return full.StartsWith(folder, System.StringComparison.Ordinal) ? full.Substring(folder.Length).Replace('\\', '/') : path;
+            if (preset is { } chosen)
+                SourcePresets.Apply(chosen, sources);
         }
 
         private void DrawReport(MocapSource source, SourceReport report)
         {
             ReportGui.Headline(report.Severity, report.Title);
             ReportGui.Message(report.Severity, report.Message);
+            PreviewButton.Draw(source);
             foreach (ReportRow row in report.Rows)
                 ReportGui.Row(row);
 
             foreach (PerformerRow row in report.Performers)
                 ReportGui.Row(new ReportRow($"{row.Name} ({row.AvatarIndex})", row.Summary, row.Severity));
 
+            _picture!.DrawBuffer(source);
             if (source.Kind != SourceKind.Network)
                 return;
 

@@ -20,6 +20,7 @@ namespace NeuronMocap.Unity.EditorTools
         internal static void Register()
         {
             ClipRecorder.Saver = Save;
+            ClipTake.Writer = (take, keyTolerance) => ClipWriter.Create(take, keyTolerance);
 #if !UNITY_6000_1_OR_NEWER
             if (typeof(Avatar).GetMethod("GetPostRotation", BindingFlags.Instance | BindingFlags.NonPublic) is { } getAxes)
                 HumanoidGoals.AxesOf = (avatar, bone) => (Quaternion)getAxes.Invoke(avatar, new object[] { (int)bone });

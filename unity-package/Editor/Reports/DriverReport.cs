@@ -22,8 +22,8 @@ namespace NeuronMocap.Unity.EditorTools
         {
             if (driver.IsPosed)
                 return new DriverReport(Severity.Good, "Moved by Timeline", string.Empty);
-            if (!isPlaying)
-                return new DriverReport(Severity.None, "Moves in play mode", string.Empty);
+            if (!isPlaying && !driver.IsPreviewed)
+                return new DriverReport(Severity.None, "Moves in play mode, and in the preview of its source", string.Empty);
             if (!driver.isActiveAndEnabled)
                 return new DriverReport(Severity.None, "Disabled", string.Empty);
             if (driver.Problem.Length > 0)

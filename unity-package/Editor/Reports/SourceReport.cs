@@ -31,7 +31,7 @@ namespace NeuronMocap.Unity.EditorTools
         public static SourceReport Of(MocapSource source, bool isPlaying)
         {
             if (!source.IsOpen && !isPlaying)
-                return Closed("Not open", "Sources open in play mode. Press play, or ask below whether frames would arrive.");
+                return Closed("Not open", "Sources open in play mode. Press play, or switch Preview on to see the motion now.");
             if (!source.IsOpen && !source.isActiveAndEnabled)
                 return Closed("Closed", "The component or its object is disabled.");
 

@@ -77,6 +77,7 @@ namespace NeuronMocap.Unity.EditorTools
         {
             using (new EditorGUILayout.HorizontalScope())
             {
+                PreviewButton.Draw(_source);
                 if (GUILayout.Button("Select"))
                     Selection.activeGameObject = _source.gameObject;
 

@@ -29,7 +29,9 @@ namespace NeuronMocap.Unity.EditorTools
             if (source.Reader is { } reader && FormatsOf(source, settings) is var formats && formats != TakeFormats.None)
                 _files = new TakeWriter(reader, formats, null, () => TakeFileName.Create(folder, name, label, now, TakeWriter.Extensions));
 
-            if (settings.Clips)
+            if (settings.Clips && !Application.isPlaying)
+                _problem = "Clips are recorded in play mode only.";
+            else if (settings.Clips)
                 AddClips(source, settings.ClipKind);
             if (_files is null && _clips.Count == 0 && _problem.Length == 0)
                 _problem = "There is nothing to record: no format is chosen, or the source moves no character.";

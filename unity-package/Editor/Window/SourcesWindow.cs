@@ -39,7 +39,7 @@ namespace NeuronMocap.Unity.EditorTools
         {
             titleContent = new GUIContent("Mocap Sources");
             minSize = new Vector2(320f, 360f);
-            _timer = new RepaintTimer(() => Application.isPlaying || _panels.Values.Any(panel => panel.IsDirty), Repaint);
+            _timer = new RepaintTimer(() => Application.isPlaying || LivePreview.IsOn || _panels.Values.Any(panel => panel.IsDirty), Repaint);
             EditorApplication.hierarchyChanged += FindSources;
             EditorApplication.playModeStateChanged += OnPlayModeChanged;
             FindSources();
@@ -49,6 +49,7 @@ namespace NeuronMocap.Unity.EditorTools
         {
             EditorApplication.hierarchyChanged -= FindSources;
             EditorApplication.playModeStateChanged -= OnPlayModeChanged;
+            LivePreview.StopAll();
             _timer?.Dispose();
             foreach (SourcePanel panel in _panels.Values)
                 panel.Dispose();

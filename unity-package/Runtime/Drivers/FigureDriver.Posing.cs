@@ -3,8 +3,6 @@
 using System;
 using NeuronMocap.Skeleton;
 using UnityEngine;
-using Quaternion = UnityEngine.Quaternion;
-using Vector3 = UnityEngine.Vector3;
 
 namespace NeuronMocap.Unity
 {
@@ -17,10 +15,6 @@ namespace NeuronMocap.Unity
 
         [NonSerialized]
         private float _posedWeight;
-
-        // The figure before a preview in edit mode.
-        [NonSerialized]
-        private (Transform Node, Vector3 Position, Quaternion Rotation)[]? _scenePose;
 
         // While the figure has such a pose, it does not follow its performer.
         internal bool IsPosed => _poseOwner != null;
@@ -48,9 +42,7 @@ namespace NeuronMocap.Unity
         internal void EndPose(object owner)
         {
             FigureRig rig = _rig!;
-            if (!IsPosed && !Application.isPlaying)
-                _scenePose = Array.ConvertAll(rig.Nodes, node => node == null ? default : (node, node.localPosition, node.localRotation));
-
+            SaveScene(rig);
             rig.Mix.CopyTo(rig.Pose);
             rig.Bodies.End();
             _posedWeight = Mathf.Clamp01(_weight) * Mathf.Clamp01(rig.Mix.Weight);
@@ -75,24 +67,7 @@ namespace NeuronMocap.Unity
 
             _poseOwner = null;
             if (!Application.isPlaying)
-            {
                 Rebind();
-                RestoreScene();
-            }
-
-            _scenePose = null;
-        }
-
-        private void RestoreScene()
-        {
-            if (_scenePose is null)
-                return;
-
-            foreach ((Transform node, Vector3 position, Quaternion rotation) in _scenePose)
-            {
-                if (node != null)
-                    (node.localPosition, node.localRotation) = (position, rotation);
-            }
         }
     }
 }

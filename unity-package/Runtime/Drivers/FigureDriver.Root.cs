@@ -92,6 +92,13 @@ namespace NeuronMocap.Unity
             if (!controller.enabled || !controller.gameObject.activeInHierarchy)
                 return;
 
+            // Without play mode, there is no physics.
+            if (!Application.isPlaying)
+            {
+                controller.transform.position += motion;
+                return;
+            }
+
             if (controller.isGrounded && _fallSpeed < 0)
                 _fallSpeed = 0;
 

@@ -216,11 +216,11 @@ namespace NeuronMocap.Unity
             rig.PlantFeet(performer.Contacts, TimeOf(performer));
         }
 
-        // Updates the weight of the pose while data comes and goes.
+        // Updates the weight of the pose while data comes and goes. In edit mode, the time of the game need not pass.
         private void Blend(bool isLive)
         {
             float target = isLive || _whenIdle == IdleBehaviour.Hold ? 1 : 0;
-            _presence = _idleBlendTime > 0 ? Mathf.MoveTowards(_presence, target, FrameTime.Delta / _idleBlendTime) : target;
+            _presence = _idleBlendTime > 0 && !_isPreviewed ? Mathf.MoveTowards(_presence, target, FrameTime.Delta / _idleBlendTime) : target;
         }
 
         private void RestoreRest()

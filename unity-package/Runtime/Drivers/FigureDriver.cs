@@ -275,6 +275,7 @@ namespace NeuronMocap.Unity
         public void Rebind()
         {
             RestoreRest();
+            RestoreScene();
             _rig = null;
             _rigProblem = null;
         }

@@ -1,6 +1,5 @@
 #nullable enable
 using System;
-using System.Collections.Generic;
 using System.IO;
 using UnityEngine;
 
@@ -126,7 +125,7 @@ namespace NeuronMocap.Unity
         private protected override string Begin()
         {
             Animator? animator = _animator != null ? _animator : GetComponentInChildren<Animator>();
-            _sampler = _kind == ClipKind.Humanoid ? CreateHumanoid(animator, out string problem) : CreateGeneric(animator, out problem);
+            _sampler = ClipSamplers.Create(_kind, animator, transform, _hips, out string problem);
             if (_sampler is null)
                 return problem;
 
@@ -178,36 +177,6 @@ namespace NeuronMocap.Unity
             {
                 Problem = "The clip was not saved: " + exception.Message;
             }
-        }
-
-        private static ClipSampler? CreateHumanoid(Animator? animator, out string problem)
-        {
-            problem = animator == null
-                ? "This object and its children have no Animator: set Animator."
-                : animator.avatar == null || !animator.isHuman
-                ? $"The Animator of \"{animator.name}\" has no Humanoid avatar. In the model's import settings, tab Rig, set Animation Type to Humanoid, or set Kind to Generic."
-                : "";
-            return problem.Length == 0 ? new HumanoidSampler(animator!) : null;
-        }
-
-        private ClipSampler? CreateGeneric(Animator? animator, out string problem)
-        {
-            Transform root = animator != null ? animator.transform : transform;
-            Transform? hips = _hips;
-            if (hips == null && animator != null && animator.isHuman)
-                hips = animator.GetBoneTransform(HumanBodyBones.Hips);
-            if (hips == null && root.childCount > 0)
-                hips = root.GetChild(0);
-
-            problem = hips == null ? "There are no bones: set Hips."
-                : !hips.IsChildOf(root) ? $"\"{hips.name}\" is not below \"{root.name}\": set Hips to a bone of the character."
-                : "";
-            if (problem.Length > 0)
-                return null;
-
-            var bones = new List<Transform>();
-            hips!.GetComponentsInChildren(true, bones);
-            return new GenericSampler(root, hips, bones);
         }
     }
 }

@@ -1,5 +1,7 @@
 #nullable enable
+using System;
 using System.Collections.Generic;
+using UnityEngine;
 
 namespace NeuronMocap.Unity
 {
@@ -21,6 +23,9 @@ namespace NeuronMocap.Unity
 
             _width = ValueCount + 1;
         }
+
+        // Set by the editor part of the package: creates the clip of a take, with an error allowed when keys are removed.
+        internal static Func<ClipTake, float, AnimationClip>? Writer { get; set; }
 
         /// <summary>Gets whether the take plays on any Humanoid. Otherwise it plays only on a character with the same transforms.</summary>
         public bool IsHumanoid { get; }

@@ -141,12 +141,17 @@ namespace NeuronMocap.Unity
             // Enabled again, or kept by the editor across a script compilation.
             if (_isDue)
                 Open();
+
+            FollowRecenterKey();
+            Follow();
+        }
+
+        private void Follow()
+        {
             if (_isChanged && _connection != null)
                 Reopen();
             if (!(_connection is { } connection))
                 return;
-
-            FollowRecenterKey();
 
             // A handler may close and reopen the source at any of these points.
             TakeStatus(connection);

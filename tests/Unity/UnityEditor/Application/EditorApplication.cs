@@ -122,6 +122,8 @@ public class EditorApplication
         (update, delayCall, playModeStateChanged, pauseStateChanged) = (null, null, null, null);
         (hierarchyChanged, projectChanged, quitting) = (null, null, null);
         AssemblyReloadEvents.Forget();
+        SceneManagement.EditorSceneManager.Forget();
+        SceneManagement.PrefabStage.Forget();
         Undo.ClearAll();
         Selection.Forget();
     }

@@ -29,5 +29,9 @@ public static class EditorUtility
 
     public static string OpenFilePanel(string title, string directory, string extension) => NextFile;
 
+    public static string OpenFilePanelWithFilters(string title, string directory, string[] filters) => filters.Length % 2 == 0
+        ? NextFile
+        : throw new ArgumentException("Filters must be pairs of a name and extensions.", nameof(filters));
+
     public static void RevealInFinder(string path) => Revealed.Add(path);
 }

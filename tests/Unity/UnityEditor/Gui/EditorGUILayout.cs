@@ -47,6 +47,13 @@ public static class EditorGUILayout
 
     public static bool Foldout(bool foldout, string content) => ImmediateGui.Toggle(foldout, content);
 
+    public static int Popup(GUIContent label, int selectedIndex, GUIContent[] displayedOptions, params GUILayoutOption[] options)
+    {
+        string shown = selectedIndex >= 0 && selectedIndex < displayedOptions.Length ? displayedOptions[selectedIndex].text : "";
+        ImmediateGui.Add("Popup", label.text, shown, tooltip: label.tooltip);
+        return ImmediateGui.TryTake(label.text, out object? value) ? Array.FindIndex(displayedOptions, option => option.text == (string)value!) : selectedIndex;
+    }
+
     public static Vector2 BeginScrollView(Vector2 scrollPosition, params GUILayoutOption[] options) => scrollPosition;
 
     public static void EndScrollView()

@@ -6,6 +6,16 @@ namespace UnityEditor.SceneManagement;
 
 public class EditorSceneManager : SceneManager
 {
+    public delegate void SceneSavingCallback(Scene scene, string path);
+
+    public delegate void SceneClosingCallback(Scene scene, bool removingScene);
+
+    /// <summary>Occurs before the scene is written.</summary>
+    public static event SceneSavingCallback? sceneSaving;
+
+    /// <summary>Occurs before the objects of the scene are destroyed.</summary>
+    public static event SceneClosingCallback? sceneClosing;
+
     /// <summary>For tests: the paths of the scenes that were opened, in order.</summary>
     internal static List<string> Opened { get; } = [];
 
@@ -15,6 +25,9 @@ public class EditorSceneManager : SceneManager
         Opened.Add(scenePath);
         if (mode == OpenSceneMode.Single)
         {
+            for (int i = sceneCount - 1; i >= 0; i--)
+                sceneClosing?.Invoke(GetSceneAt(i), true);
+
             foreach (GameObject root in World.GetRoots().ToArray())
                 root.DestroyNow();
 
@@ -36,6 +49,7 @@ public class EditorSceneManager : SceneManager
 
     public static bool SaveScene(Scene scene)
     {
+        sceneSaving?.Invoke(scene, scene.path);
         ObjectFile.Save(scene.path, scene.GetRootGameObjects());
         Dirty.Remove(scene.name);
         return true;
@@ -43,6 +57,7 @@ public class EditorSceneManager : SceneManager
 
     public static bool CloseScene(Scene scene, bool removeScene)
     {
+        sceneClosing?.Invoke(scene, removeScene);
         foreach (GameObject root in scene.GetRootGameObjects())
             root.DestroyNow();
 
@@ -51,6 +66,8 @@ public class EditorSceneManager : SceneManager
     }
 
     public static bool MarkSceneDirty(Scene scene) => Dirty.Add(scene.name);
+
+    internal static void Forget() => (sceneSaving, sceneClosing) = (null, null);
 }
 
 public enum OpenSceneMode

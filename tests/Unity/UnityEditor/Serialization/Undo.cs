@@ -121,7 +121,7 @@ public static class Undo
         }
 
         IReadOnlyList<string> missing = (item as GameObject)?.MissingScripts ?? [];
-        (FieldInfo Field, object? Value)[] fields = [.. SerializedFields.Of(item.GetType()).Select(field => (field, field.GetValue(item)))];
+        (FieldInfo Field, object? Value)[] fields = [.. SerializedFields.Of(item.GetType()).Select(field => (field, Copy(field, field.GetValue(item))))];
 
         // Engine types keep their state behind properties.
         (PropertyInfo Property, object? Value)[] properties = item.GetType().Assembly != typeof(UnityEngine.Object).Assembly
@@ -132,11 +132,14 @@ public static class Undo
         return () =>
         {
             foreach ((FieldInfo field, object? value) in fields)
-                field.SetValue(item, value);
+                field.SetValue(item, Copy(field, value));
             foreach ((PropertyInfo property, object? value) in properties)
                 property.SetValue(item, value);
             if (item is GameObject owner)
                 owner.MissingScripts = missing;
         };
     }
+
+    // With the objects that are part of it, as they are serialised.
+    private static object? Copy(FieldInfo field, object? value) => UnityEngine.StandIn.Serialization.Copy(value, field.FieldType, static item => item);
 }

@@ -18,6 +18,8 @@ public static class GUILayout
 
     public static bool Toggle(bool value, string text, GUIStyle style, params GUILayoutOption[] options) => ImmediateGui.Toggle(value, text);
 
+    public static bool Toggle(bool value, GUIContent content, GUIStyle style, params GUILayoutOption[] options) => ImmediateGui.Toggle(value, content.text);
+
     public static void Label(string text, params GUILayoutOption[] options) => ImmediateGui.Add("Label", text);
 
     public static void Label(string text, GUIStyle style, params GUILayoutOption[] options) => ImmediateGui.Add("Label", text, color: style.normal.textColor);

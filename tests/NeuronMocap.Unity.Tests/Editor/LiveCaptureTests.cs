@@ -1,0 +1,111 @@
+using NeuronMocap.Unity.EditorTools;
+using NeuronMocap.Unity.LiveCapture;
+using NeuronMocap.Unity.Tests.Drivers;
+using NeuronMocap.Unity.Tests.Infrastructure;
+using UnityEditor;
+using LiveRecorder = Unity.LiveCapture.TakeRecorder;
+
+namespace NeuronMocap.Unity.Tests.Editor;
+
+// The capture device for Unity's Take Recorder.
+public sealed class LiveCaptureTests
+{
+    [Theory]
+    [InlineData(true)]
+    [InlineData(false)]
+    public void A_humanoid_is_recorded_in_play_mode_and_in_a_preview(bool plays)
+    {
+        using var world = new EditorWorld(plays);
+        MocapSource source = Stage.AddSimulator();
+        HumanoidDriver driver = TestFigure.Build("Hero").Drive(source);
+        FigureCaptureDevice device = AddDevice(driver);
+        if (!plays)
+            LivePreview.Start(source);
+
+        Record(world, () => driver.IsDriving);
+
+        (string name, Animator animator, AnimationClip clip) = Assert.Single(LiveRecorder.Tracks);
+        Assert.Equal("Hero", name);
+        Assert.Same(driver.GetComponentInChildren<Animator>(), animator);
+        Assert.True(clip.isHumanMotion);
+        Assert.Equal(30, clip.frameRate);
+        AnimationCurve curve = AnimationUtility.GetEditorCurve(clip, EditorCurveBinding.FloatCurve("", typeof(Animator), "RootT.x"))!;
+        Assert.Equal(0, curve.keys[0].time);
+        Assert.True(curve.length >= 5, $"{curve.length} keys");
+        Assert.Empty(device.Problem);
+        LivePreview.StopAll();
+    }
+
+    [Fact]
+    public void Another_figure_is_recorded_with_its_own_transforms()
+    {
+        using var world = new EditorWorld(play: true);
+        GenericRigDriver driver = GenericRig.BuildInAPose(out Dictionary<Bone, Transform> bones).AddComponent<GenericRigDriver>();
+        driver.Source = Stage.AddSimulator();
+        driver.gameObject.AddComponent<Animator>();
+        AddDevice(driver);
+
+        Record(world, () => driver.IsDriving);
+
+        AnimationClip clip = Assert.Single(LiveRecorder.Tracks).Clip;
+        Assert.False(clip.isHumanMotion);
+        Assert.Contains(AnimationUtility.GetCurveBindings(clip), binding => binding.path.EndsWith(bones[Bone.LeftForeArm].name, StringComparison.Ordinal) && binding.type == typeof(Transform));
+    }
+
+    [Fact]
+    public void What_is_missing_is_named_and_no_track_is_added()
+    {
+        using var world = new EditorWorld();
+        FigureCaptureDevice device = AddDevice(null);
+        Assert.False(device.IsReady());
+        Assert.Contains("Set Figure", device.Problem, StringComparison.Ordinal);
+
+        device.Figure = GenericRig.BuildInAPose(out _).AddComponent<GenericRigDriver>();
+        Assert.False(device.IsReady());
+        Assert.Contains("no Animator", device.Problem, StringComparison.Ordinal);
+
+        device.Figure.gameObject.AddComponent<Animator>();
+        Assert.False(device.IsReady());
+        Assert.Contains("Preview", device.Problem, StringComparison.Ordinal);
+
+        LiveRecorder.StartRecording();
+        LiveRecorder.StopRecording();
+        Assert.Empty(LiveRecorder.Tracks);
+    }
+
+    [Fact]
+    public void A_take_that_ends_at_once_has_no_track()
+    {
+        using var world = new EditorWorld(play: true);
+        HumanoidDriver driver = TestFigure.Build("Hero").Drive(Stage.AddSimulator());
+        AddDevice(driver);
+        world.Loop.RunUntil(() => driver.IsDriving);
+
+        LiveRecorder.StartRecording();
+        LiveRecorder.StopRecording();
+
+        Assert.Empty(LiveRecorder.Tracks);
+    }
+
+    private static FigureCaptureDevice AddDevice(FigureDriver? figure)
+    {
+        FigureCaptureDevice device = new GameObject("Device").AddComponent<FigureCaptureDevice>();
+        (device.Figure, device.KeyTolerance) = (figure, 0);
+        return device;
+    }
+
+    private static void Record(EditorWorld world, Func<bool> isReady)
+    {
+        world.Loop.RunUntil(() => Tick() && isReady());
+        LiveRecorder.StartRecording();
+        world.Loop.RunUntil(() => Tick() && LiveRecorder.IsRecording());
+        world.Loop.RunFor(0.4f);
+        LiveRecorder.StopRecording();
+
+        static bool Tick()
+        {
+            EditorApplication.Tick(0.01);
+            return true;
+        }
+    }
+}

@@ -1,0 +1,43 @@
+#nullable enable
+using System.Collections.Generic;
+using UnityEngine;
+
+namespace NeuronMocap.Unity
+{
+    // Chooses how a character is sampled for a clip.
+    internal static class ClipSamplers
+    {
+        // owner: the root of a character without an Animator. hips: null for the hips of a Humanoid, or else the root's first child.
+        public static ClipSampler? Create(ClipKind kind, Animator? animator, Transform owner, Transform? hips, out string problem) => kind == ClipKind.Humanoid
+            ? CreateHumanoid(animator, out problem)
+            : CreateGeneric(animator, animator != null ? animator.transform : owner, hips, out problem);
+
+        private static ClipSampler? CreateHumanoid(Animator? animator, out string problem)
+        {
+            problem = animator == null
+                ? "This object and its children have no Animator: set Animator."
+                : animator.avatar == null || !animator.isHuman
+                ? $"The Animator of \"{animator.name}\" has no Humanoid avatar. In the model's import settings, tab Rig, set Animation Type to Humanoid, or set Kind to Generic."
+                : "";
+            return problem.Length == 0 ? new HumanoidSampler(animator!) : null;
+        }
+
+        private static ClipSampler? CreateGeneric(Animator? animator, Transform root, Transform? hips, out string problem)
+        {
+            if (hips == null && animator != null && animator.isHuman)
+                hips = animator.GetBoneTransform(HumanBodyBones.Hips);
+            if (hips == null && root.childCount > 0)
+                hips = root.GetChild(0);
+
+            problem = hips == null ? "There are no bones: set Hips."
+                : !hips.IsChildOf(root) ? $"\"{hips.name}\" is not below \"{root.name}\": set Hips to a bone of the character."
+                : "";
+            if (problem.Length > 0)
+                return null;
+
+            var bones = new List<Transform>();
+            hips!.GetComponentsInChildren(true, bones);
+            return new GenericSampler(root, hips, bones);
+        }
+    }
+}
