@@ -131,6 +131,75 @@ public sealed class PhysicsDriverTests : SourceFixture
         Assert.InRange(prop.GetComponent<Rigidbody>().velocity.magnitude, 0.1f * Speed, 10 * Speed);
     }
 
+    // Its transform goes with the hand, which gives no velocity.
+    [Theory]
+    [InlineData(DriveTime.Physics)]
+    [InlineData(DriveTime.LateUpdate)]
+    public void A_prop_below_the_hand_has_the_speed_of_the_hand(DriveTime time)
+    {
+        TestFigure figure = TestFigure.Build("Figure");
+        HumanoidDriver driver = DriveWithPhysics(figure, new MovingActor(Speed));
+        driver.DriveTime = time;
+        driver.Source!.Delay = 100;
+        HandProp prop = AddProp(driver, hasBody: true);
+        prop.transform.SetParent(figure[Bone.RightHand], false);
+        Rigidbody body = prop.GetComponent<Rigidbody>();
+        var speeds = new List<float>();
+        new GameObject("Probe").AddComponent<StepProbe>().OnStep = () => speeds.Add(body.velocity.magnitude);
+        Loop.RunUntil(() => driver.IsDriving);
+        RunSlowly(0.001, () => speeds.Count > 40);
+        speeds.Clear();
+        RunSlowly(0.001, () => speeds.Count > 100);
+
+        speeds.Sort();
+        Assert.InRange(speeds[speeds.Count / 2], 0.6f * Speed, 2.4f * Speed);
+    }
+
+    [Fact]
+    public void A_prop_whose_body_is_not_kinematic_is_kinematic_while_it_is_held()
+    {
+        TestFigure figure = TestFigure.Build("Figure");
+        HumanoidDriver driver = DriveWithPhysics(figure, new MovingActor(Speed));
+        HandProp prop = AddProp(driver, hasBody: true);
+        Rigidbody body = prop.GetComponent<Rigidbody>();
+        body.isKinematic = false;
+        Loop.RunUntil(() => driver.IsDriving);
+        Loop.RunFor(0.3f);
+        AssertHeld(prop, figure[Bone.RightHand]);
+        Assert.True(body.isKinematic);
+        Assert.InRange(body.velocity.magnitude, 0.1f * Speed, 10 * Speed);
+
+        prop.enabled = false;
+        Assert.False(body.isKinematic);
+        prop.enabled = true;
+        Loop.RunFor(0.1f);
+        Assert.True(body.isKinematic);
+        Object.DestroyImmediate(driver);
+        Loop.RunFor(0.1f);
+        Assert.False(body.isKinematic);
+
+        // A body that is kinematic by itself stays so.
+        body.isKinematic = true;
+        prop.enabled = false;
+        Assert.True(body.isKinematic);
+    }
+
+    [Fact]
+    public void A_bone_whose_body_is_not_kinematic_is_reported()
+    {
+        TestFigure figure = TestFigure.Build("Figure");
+        HumanoidDriver driver = DriveWithPhysics(figure, new MovingActor(0));
+        Rigidbody arm = figure[Bone.LeftForeArm].GetComponent<Rigidbody>();
+        arm.isKinematic = false;
+        Loop.RunUntil(() => driver.IsDriving);
+        Assert.Contains(arm.name, driver.Problem);
+        Assert.Contains("kinematic", driver.Problem);
+
+        arm.isKinematic = true;
+        Loop.RunFor(0.1f);
+        Assert.Empty(driver.Problem);
+    }
+
     [Fact]
     public void A_prop_without_a_body_follows_any_driver_in_the_same_frame()
     {
