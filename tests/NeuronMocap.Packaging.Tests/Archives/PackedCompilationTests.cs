@@ -14,14 +14,15 @@ public sealed class PackedCompilationTests
     [InlineData(false, false)]
     [InlineData(true, true)]
     [InlineData(false, true)]
-    public void The_packed_sources_compile_alone_and_with_the_package_of_Timeline(bool isEditor, bool hasTimeline)
+    public void The_packed_sources_compile_alone_and_with_the_packages_of_a_project(bool isEditor, bool hasOtherPackages)
     {
-        var compiler = new UnityCompiler(Package, isEditor, hasTimeline);
+        var compiler = new UnityCompiler(Package, isEditor, hasOtherPackages);
 
         compiler.CompileAll();
 
-        Assert.Equal((isEditor ? 8 : 7) + (hasTimeline ? 1 : 0), compiler.Definitions.Length);
+        Assert.Equal((isEditor ? 8 : 7) + (hasOtherPackages ? 2 : 0), compiler.Definitions.Length);
         Assert.Equal(compiler.Definitions.Length, compiler.Compiled.Count);
-        Assert.Equal(hasTimeline, compiler.Compiled.Contains("NeuronMocap.Unity.Timeline"));
+        Assert.Equal(hasOtherPackages, compiler.Compiled.Contains("NeuronMocap.Unity.InputSystem"));
+        Assert.Equal(hasOtherPackages, compiler.Compiled.Contains("NeuronMocap.Unity.Timeline"));
     }
 }

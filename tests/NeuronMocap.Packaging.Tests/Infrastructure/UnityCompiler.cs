@@ -16,21 +16,27 @@ internal sealed class UnityCompiler
         .Where(static file => Path.GetDirectoryName(file) == Path.GetDirectoryName(typeof(object).Assembly.Location))
         .Select(static file => MetadataReference.CreateFromFile(file))];
 
+    // Those that a project may lack.
+    private static readonly string[] OtherPackages = ["Unity.InputSystem", "Unity.Timeline"];
+
     private readonly StagedPackage _package;
     private readonly MetadataReference[] _unity;
     private readonly CSharpParseOptions _options;
     private readonly Dictionary<string, MetadataReference> _installed = new(StringComparer.Ordinal);
     private readonly Dictionary<string, MetadataReference> _compiled = new(StringComparer.Ordinal);
 
-    public UnityCompiler(StagedPackage package, bool isEditor, bool hasTimeline = false)
+    public UnityCompiler(StagedPackage package, bool isEditor, bool hasOtherPackages = false)
     {
-        if (hasTimeline)
-            _installed.Add("Unity.Timeline", StandIn("Unity.Timeline"));
+        if (hasOtherPackages)
+        {
+            foreach (string other in OtherPackages)
+                _installed.Add(other, StandIn(other));
+        }
 
         _package = package;
         _unity = [StandIn("UnityEngine"), .. isEditor ? (MetadataReference[])[StandIn("UnityEditor")] : []];
         _options = new(LanguageVersion.CSharp9, DocumentationMode.None, preprocessorSymbols: ["UNITY_2021_3_OR_NEWER", .. isEditor ? (string[])["UNITY_EDITOR"] : []]);
-        Definitions = [.. AssemblyDefinition.FindAll(package).Where(definition => !definition.IsTest && (isEditor || !definition.IsEditorOnly) && (hasTimeline || !definition.NeedsOtherPackage))];
+        Definitions = [.. AssemblyDefinition.FindAll(package).Where(definition => !definition.IsTest && (isEditor || !definition.IsEditorOnly) && (hasOtherPackages || !definition.NeedsOtherPackage))];
     }
 
     /// <summary>The assembly definitions, without tests.</summary>

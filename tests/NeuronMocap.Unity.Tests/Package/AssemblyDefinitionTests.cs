@@ -53,19 +53,22 @@ public sealed class AssemblyDefinitionTests
     {
         string[] players = [.. ProjectNames.Select(static row => row.Data).Where(static name => name.EndsWith(".Player", StringComparison.Ordinal)).Select(static name => name[..^".Player".Length])];
 
-        Assert.Equal(["Compatibility", "Runtime", "Samples", "Tests.PlayMode", "Timeline"], players.Order());
+        Assert.Equal(["Compatibility", "InputSystem", "Runtime", "Samples", "Tests.PlayMode", "Timeline"], players.Order());
     }
 
-    // Timeline is a package that a project may lack or remove.
-    [Fact]
-    public void Only_the_assembly_for_Timeline_needs_the_package_of_Timeline()
+    // Packages that a project may lack or remove.
+    [Theory]
+    [InlineData("NeuronMocap.Unity.Timeline", "Unity.Timeline", "com.unity.timeline")]
+    [InlineData("NeuronMocap.Unity.InputSystem", "Unity.InputSystem", "com.unity.inputsystem")]
+    public void Only_the_assembly_for_a_package_needs_the_package(string assembly, string reference, string package)
     {
+        string[] symbolsAndPackages = ["UNITY_INCLUDE_TESTS", "ENABLE_INPUT_SYSTEM", "com.unity.timeline", "com.unity.inputsystem"];
         Definition[] all = [.. Directory.GetFiles(Package, "*.asmdef", SearchOption.AllDirectories).Select(static path => new Definition(JsonDocument.Parse(File.ReadAllText(path)).RootElement))];
 
-        string[] without = [.. all.Where(static definition => definition.IsCompiledWith("UNITY_INCLUDE_TESTS")).Select(static definition => definition.Name)];
-        Assert.Equal("NeuronMocap.Unity.Timeline", Assert.Single(all, definition => !without.Contains(definition.Name)).Name);
-        Assert.All(all, static definition => Assert.True(definition.IsCompiledWith("UNITY_INCLUDE_TESTS", "com.unity.timeline")));
-        Assert.All(all, definition => Assert.True(definition.References.All(static reference => reference != "Unity.Timeline") || !without.Contains(definition.Name)));
+        string[] without = [.. all.Where(definition => definition.IsCompiledWith([.. symbolsAndPackages.Except([package])])).Select(static definition => definition.Name)];
+        Assert.Equal(assembly, Assert.Single(all, definition => !without.Contains(definition.Name)).Name);
+        Assert.All(all, definition => Assert.True(definition.IsCompiledWith(symbolsAndPackages)));
+        Assert.All(all, definition => Assert.Equal(definition.Name == assembly, definition.References.Contains(reference)));
     }
 
     // Only Unity's own symbols may decide whether a script is compiled in one build and not in the other.
@@ -98,7 +101,7 @@ public sealed class AssemblyDefinitionTests
                 yield return name;
                 yield return "UnityEditor.TestRunner";
             }
-            else if (name == "Unity.Timeline")
+            else if (name is "Unity.Timeline" or "Unity.InputSystem")
             {
                 yield return name;
             }
