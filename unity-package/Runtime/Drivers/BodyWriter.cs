@@ -98,6 +98,7 @@ namespace NeuronMocap.Unity
         public void End()
         {
             _isHeld = false;
+            Report(null);
             if (!_hasBegun)
                 return;
 
@@ -135,12 +136,12 @@ namespace NeuronMocap.Unity
             {
                 Rigidbody? body = pose.IsDriven(node) ? FindBody(_nodes[node]) : null;
                 bool isBody = body is { isKinematic: true };
-                if (!isBody && body is not null)
-                    (loose, body) = (body, null);
+                if (!isBody)
+                    loose ??= body;
                 if (!isBody && _bodies[node] is not null)
                     _writer.Forget(node);
 
-                _bodies[node] = body;
+                _bodies[node] = isBody ? body : null;
                 _writer.Skipped[node] = isBody;
                 _isCarried[node] = isBody && IsBelowMovedTransform(pose, node);
             }
