@@ -8,6 +8,10 @@ namespace NeuronMocap.Unity.InputSystem
     // Reads the keyboard of the Input System for the components, which know the keys of the old Input Manager.
     internal static class InputSystemKeys
     {
+        // In the editor also when scripts are compiled in play mode.
+#if UNITY_EDITOR
+        [UnityEditor.InitializeOnLoadMethod]
+#endif
         [RuntimeInitializeOnLoadMethod(RuntimeInitializeLoadType.SubsystemRegistration)]
         private static void Register() => KeyPresses.IsPressedInInputSystem = IsPressed;
 
