@@ -14,17 +14,18 @@ public sealed class PackedCompilationTests
     [InlineData(false, false)]
     [InlineData(true, true)]
     [InlineData(false, true)]
-    public void The_packed_sources_compile_alone_and_with_Timeline_and_Live_Capture(bool isEditor, bool hasOtherPackages)
+    public void The_packed_sources_compile_alone_and_with_the_packages_of_a_project(bool isEditor, bool hasOtherPackages)
     {
         var compiler = new UnityCompiler(Package, isEditor, hasOtherPackages);
 
         compiler.CompileAll();
 
         int samples = Package.AssetFolders.Count(static folder => AssetPath.ParentOf(folder) == AssetPath.Samples);
-        Assert.Equal(samples + (isEditor ? 3 : 2) + (hasOtherPackages ? isEditor ? 3 : 2 : 0), compiler.Definitions.Length);
+        Assert.Equal(samples + (isEditor ? 3 : 2) + (hasOtherPackages ? isEditor ? 4 : 3 : 0), compiler.Definitions.Length);
         Assert.Equal(compiler.Definitions.Length, compiler.Compiled.Count);
         Assert.Equal(hasOtherPackages, compiler.Compiled.Contains("NeuronMocap.Unity.Timeline"));
         Assert.Equal(hasOtherPackages, compiler.Compiled.Contains("NeuronMocap.Unity.LiveCapture"));
         Assert.Equal(hasOtherPackages && isEditor, compiler.Compiled.Contains("NeuronMocap.Unity.Timeline.Editor"));
+        Assert.Equal(hasOtherPackages, compiler.Compiled.Contains("NeuronMocap.Unity.InputSystem"));
     }
 }

@@ -16,6 +16,9 @@ internal sealed class UnityCompiler
         .Where(static file => Path.GetDirectoryName(file) == Path.GetDirectoryName(typeof(object).Assembly.Location))
         .Select(static file => MetadataReference.CreateFromFile(file))];
 
+    // Those that a project may lack.
+    private static readonly string[] OtherPackages = ["Unity.InputSystem", "Unity.LiveCapture", "Unity.Timeline"];
+
     private readonly StagedPackage _package;
     private readonly MetadataReference[] _unity;
     private readonly CSharpParseOptions _options;
@@ -24,8 +27,11 @@ internal sealed class UnityCompiler
 
     public UnityCompiler(StagedPackage package, bool isEditor, bool hasOtherPackages = false)
     {
-        foreach (string assembly in hasOtherPackages ? (string[])["Unity.Timeline", "Unity.LiveCapture"] : [])
-            _installed.Add(assembly, StandIn(assembly));
+        if (hasOtherPackages)
+        {
+            foreach (string other in OtherPackages)
+                _installed.Add(other, StandIn(other));
+        }
 
         _package = package;
         _unity = [StandIn("UnityEngine"), .. isEditor ? (MetadataReference[])[StandIn("UnityEditor")] : []];

@@ -77,6 +77,23 @@ public sealed class BodyWriterTests : IDisposable
         AssertFigureHasThePose();
     }
 
+    // Such as a platform. Physics notices a changed transform only in its step.
+    [Fact]
+    public void A_root_that_a_script_moves_takes_bodies_along()
+    {
+        Rigidbody body = AddBody(Bone.Hips);
+        for (int step = 0; step < 4; step++)
+        {
+            SetPose(0.01f * step);
+            _figure.Root.transform.position += new Vector3(2, 0, 0);
+            _rig.Bodies.Write(_pose, 1);
+            _loop.Frame(Step);
+            AssertFigureHasThePose();
+        }
+
+        Assert.InRange(body.velocity.magnitude, 0.01f, 20);
+    }
+
     [Fact]
     public void A_body_with_half_the_weight_is_halfway_from_rest()
     {

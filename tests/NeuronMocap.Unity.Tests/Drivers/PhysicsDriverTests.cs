@@ -1,3 +1,4 @@
+using System.Collections;
 using System.Diagnostics;
 using NeuronMocap.Server;
 using NeuronMocap.Skeleton;
@@ -129,6 +130,90 @@ public sealed class PhysicsDriverTests : SourceFixture
 
         AssertHeld(prop, figure[Bone.RightHand]);
         Assert.InRange(prop.GetComponent<Rigidbody>().velocity.magnitude, 0.1f * Speed, 10 * Speed);
+    }
+
+    // Its transform goes with the hand, which gives no velocity.
+    [Theory]
+    [InlineData(DriveTime.Physics)]
+    [InlineData(DriveTime.LateUpdate)]
+    public void A_prop_below_the_hand_goes_its_way_through_physics(DriveTime time)
+    {
+        TestFigure figure = TestFigure.Build("Figure");
+        HumanoidDriver driver = DriveWithPhysics(figure, new MovingActor(Speed));
+        driver.DriveTime = time;
+        driver.Source!.Delay = 100;
+        HandProp prop = AddProp(driver, hasBody: true);
+        prop.transform.SetParent(figure[Bone.RightHand], false);
+        Rigidbody body = prop.GetComponent<Rigidbody>();
+        Loop.RunUntil(() => driver.IsDriving);
+        Loop.RunFor(0.3f);
+
+        // The velocity of each step is that of its way, except after a stall.
+        var errors = new List<float>();
+        float whole = 0;
+        new GameObject("Probe").AddComponent<StepProbe>().StartCoroutine(Watch());
+        Loop.RunUntil(() => whole > 0.2f);
+
+        errors.Sort();
+        Assert.Equal(0, errors[errors.Count * 9 / 10], 0.01f);
+
+        IEnumerator Watch()
+        {
+            Vector3 place = body.position;
+            while (true)
+            {
+                yield return new WaitForFixedUpdate();
+                Vector3 way = body.position - place;
+                place = body.position;
+                whole += way.magnitude;
+                errors.Add((way - (body.velocity * Time.fixedDeltaTime)).magnitude);
+            }
+        }
+    }
+
+    [Fact]
+    public void A_prop_whose_body_is_not_kinematic_is_kinematic_while_it_is_held()
+    {
+        TestFigure figure = TestFigure.Build("Figure");
+        HumanoidDriver driver = DriveWithPhysics(figure, new MovingActor(Speed));
+        HandProp prop = AddProp(driver, hasBody: true);
+        Rigidbody body = prop.GetComponent<Rigidbody>();
+        body.isKinematic = false;
+        Loop.RunUntil(() => driver.IsDriving);
+        Loop.RunFor(0.3f);
+        AssertHeld(prop, figure[Bone.RightHand]);
+        Assert.True(body.isKinematic);
+        Assert.InRange(body.velocity.magnitude, 0.1f * Speed, 10 * Speed);
+
+        prop.enabled = false;
+        Assert.False(body.isKinematic);
+        prop.enabled = true;
+        Loop.RunFor(0.1f);
+        Assert.True(body.isKinematic);
+        Object.DestroyImmediate(driver);
+        Loop.RunFor(0.1f);
+        Assert.False(body.isKinematic);
+
+        // A body that is kinematic by itself stays so.
+        body.isKinematic = true;
+        prop.enabled = false;
+        Assert.True(body.isKinematic);
+    }
+
+    [Fact]
+    public void A_bone_whose_body_is_not_kinematic_is_reported()
+    {
+        TestFigure figure = TestFigure.Build("Figure");
+        HumanoidDriver driver = DriveWithPhysics(figure, new MovingActor(0));
+        Rigidbody arm = figure[Bone.LeftForeArm].GetComponent<Rigidbody>();
+        arm.isKinematic = false;
+        Loop.RunUntil(() => driver.IsDriving);
+        Assert.Contains(arm.name, driver.Problem);
+        Assert.Contains("kinematic", driver.Problem);
+
+        arm.isKinematic = true;
+        Loop.RunFor(0.1f);
+        Assert.Empty(driver.Problem);
     }
 
     [Fact]

@@ -30,6 +30,7 @@ public sealed class ClipRecorderInspectorTests : IDisposable
         ImmediateGui.Click(inspector.OnInspectorGUI, ClipRecorderEditor.Stop);
         ImmediateGui.Draw(inspector.OnInspectorGUI);
         Assert.Contains(recorder.SavedPath, EditorWorld.Find("Saved as Assets/Recordings/").Label, StringComparison.Ordinal);
+        Assert.Equal(2, recorder.Slate);
         ImmediateGui.Click(inspector.OnInspectorGUI, ClipRecorderEditor.ShowClip);
         Assert.Same(AssetDatabase.LoadAssetAtPath<AnimationClip>(recorder.SavedPath), EditorGUIUtility.Pinged);
         Assert.NotNull(EditorGUIUtility.Pinged);
@@ -77,7 +78,7 @@ public sealed class ClipRecorderInspectorTests : IDisposable
         string[] fields = [.. EditorWorld.Labels("Property")];
         Assert.DoesNotContain("Hips", fields);
         Assert.Equal("Animator", fields[0]);
-        Assert.Equal(["File Name", "Record On Play"], fields[^2..]);
+        Assert.Equal(["Take Name", "Slate", "File Name", "Record On Play"], fields[^4..]);
 
         recorder.Kind = ClipKind.Generic;
         ImmediateGui.Draw(inspector.OnInspectorGUI);

@@ -1,3 +1,4 @@
+using NeuronMocap.Unity.EditorTools;
 using NeuronMocap.Unity.Tests.Drivers;
 using UnityEditor;
 
@@ -38,5 +39,25 @@ public sealed class HandPropMenuTests : IDisposable
         Assert.Equal((LogType.Warning, (UnityEngine.Object?)prop), (entry.Type, entry.Context));
         Assert.Contains(hasDriver ? "bone" : "Driver", entry.Message, StringComparison.Ordinal);
         Assert.Empty(Undo.Names);
+    }
+
+    [Fact]
+    public void A_body_that_is_not_kinematic_is_reported_and_changed_by_a_click()
+    {
+        HandProp prop = new GameObject("Sword").AddComponent<HandProp>();
+        UnityEditor.Editor inspector = _world.Inspect(prop);
+        ImmediateGui.Draw(inspector.OnInspectorGUI);
+        Assert.DoesNotContain("HelpBox", EditorWorld.Controls.Select(static control => control.Kind));
+
+        Rigidbody body = prop.gameObject.AddComponent<Rigidbody>();
+        ImmediateGui.Draw(inspector.OnInspectorGUI);
+        Assert.Equal(("HelpBox", "Warning"), (EditorWorld.Find("not kinematic").Kind, EditorWorld.Find("not kinematic").Value));
+        ImmediateGui.Click(inspector.OnInspectorGUI, PhysicsCheck.MakeKinematic);
+        Assert.True(body.isKinematic);
+        ImmediateGui.Draw(inspector.OnInspectorGUI);
+        Assert.DoesNotContain("HelpBox", EditorWorld.Controls.Select(static control => control.Kind));
+
+        Undo.PerformUndo();
+        Assert.False(body.isKinematic);
     }
 }

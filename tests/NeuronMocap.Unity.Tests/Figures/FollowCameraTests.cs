@@ -79,6 +79,57 @@ public sealed class FollowCameraTests : IDisposable
         AssertLooksAt(hips.position);
     }
 
+    [Theory]
+    [InlineData(false)]
+    [InlineData(true)]
+    public void The_hips_of_a_driven_figure_are_followed_from_the_driver_from_above_and_from_below(bool isGeneric)
+    {
+        var stage = new GameObject("Stage");
+        Transform hips;
+        Transform head;
+        FigureDriver driver;
+        if (isGeneric)
+        {
+            GameObject rig = GenericRig.Build("", out Dictionary<Bone, Transform> bones);
+            (hips, head) = (bones[Bone.Hips], bones[Bone.Head]);
+            driver = rig.AddComponent<GenericRigDriver>();
+        }
+        else
+        {
+            TestFigure figure = TestFigure.Build("Ann");
+            (hips, head) = (figure[Bone.Hips], figure[Bone.Head]);
+            driver = figure.Drive(null);
+        }
+
+        driver.transform.SetParent(stage.transform, false);
+        _follow.FollowTime = 0;
+        foreach (Transform target in (Transform[])[driver.transform, stage.transform, head])
+        {
+            _follow.Target = target;
+            hips.position += new Vector3(2, 0.1f, 5);
+            _loop.Frame();
+            AssertLooksAt(hips.position);
+        }
+    }
+
+    [Fact]
+    public void A_figure_that_appears_below_the_target_is_found()
+    {
+        _follow.FollowTime = 0;
+        _follow.Target = new GameObject("Stage").transform;
+        _loop.Frame();
+        AssertLooksAt(_follow.Target.position);
+
+        TestFigure figure = TestFigure.Build("Ann");
+        figure.Drive(null).transform.SetParent(_follow.Target, false);
+        _loop.Frame(1.1f);
+        AssertLooksAt(figure[Bone.Hips].position);
+
+        Object.DestroyImmediate(figure.Root);
+        _loop.Frame();
+        AssertLooksAt(_follow.Target.position);
+    }
+
     [Fact]
     public void Another_target_is_followed_by_its_own_kind()
     {

@@ -11,7 +11,7 @@ internal static partial class Scripts
 #pragma warning restore CA2255
     internal static void Load()
     {
-        foreach (string name in (string[])["NeuronMocap.Unity", "NeuronMocap.Unity.Compatibility", "NeuronMocap.Unity.Timeline", "NeuronMocap.Unity.Samples"])
+        foreach (string name in (string[])["NeuronMocap.Unity", "NeuronMocap.Unity.Compatibility", "NeuronMocap.Unity.InputSystem", "NeuronMocap.Unity.Timeline", "NeuronMocap.Unity.Samples"])
             Assembly.Load(name);
 
         LoadEditor();

@@ -53,22 +53,22 @@ public sealed class AssemblyDefinitionTests
     {
         string[] players = [.. ProjectNames.Select(static row => row.Data).Where(static name => name.EndsWith(".Player", StringComparison.Ordinal)).Select(static name => name[..^".Player".Length])];
 
-        Assert.Equal(["Compatibility", "LiveCapture", "Runtime", "Samples", "Tests.PlayMode", "Timeline"], players.Order());
+        Assert.Equal(["Compatibility", "InputSystem", "LiveCapture", "Runtime", "Samples", "Tests.PlayMode", "Timeline"], players.Order());
     }
 
-    // A project may lack or remove these packages.
+    // Packages that a project may lack or remove.
     [Theory]
     [InlineData("com.unity.timeline", "Unity.Timeline", "NeuronMocap.Unity.Timeline", "NeuronMocap.Unity.Timeline.Editor")]
     [InlineData("com.unity.live-capture", "Unity.LiveCapture", "NeuronMocap.Unity.LiveCapture")]
+    [InlineData("com.unity.inputsystem", "Unity.InputSystem", "NeuronMocap.Unity.InputSystem")]
     public void Only_the_assemblies_for_another_package_need_it(string package, string assembly, params string[] names)
     {
+        string[] symbolsAndPackages = ["UNITY_INCLUDE_TESTS", "ENABLE_INPUT_SYSTEM", "com.unity.inputsystem", "com.unity.live-capture", "com.unity.timeline"];
         Definition[] all = [.. Directory.GetFiles(Package, "*.asmdef", SearchOption.AllDirectories).Select(static path => new Definition(JsonDocument.Parse(File.ReadAllText(path)).RootElement))];
 
         Assert.Equal(names, all.Where(definition => definition.References.Contains(assembly)).Select(static definition => definition.Name).Order());
-        Assert.All(all, definition => Assert.Equal(!names.Contains(definition.Name), definition.IsCompiledWith([.. Others(package), "UNITY_INCLUDE_TESTS"])));
-        Assert.All(all, static definition => Assert.True(definition.IsCompiledWith("UNITY_INCLUDE_TESTS", "com.unity.timeline", "com.unity.live-capture")));
-
-        static IEnumerable<string> Others(string package) => ((string[])["com.unity.timeline", "com.unity.live-capture"]).Where(other => other != package);
+        Assert.All(all, definition => Assert.Equal(!names.Contains(definition.Name), definition.IsCompiledWith([.. symbolsAndPackages.Except([package])])));
+        Assert.All(all, definition => Assert.True(definition.IsCompiledWith(symbolsAndPackages)));
     }
 
     // Only Unity's own symbols may decide whether a script is compiled in one build and not in the other.
@@ -101,7 +101,7 @@ public sealed class AssemblyDefinitionTests
                 yield return name;
                 yield return "UnityEditor.TestRunner";
             }
-            else if (name is "Unity.Timeline" or "Unity.LiveCapture")
+            else if (name is "Unity.InputSystem" or "Unity.LiveCapture" or "Unity.Timeline")
             {
                 yield return name;
             }

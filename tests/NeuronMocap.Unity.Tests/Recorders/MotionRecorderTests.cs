@@ -54,6 +54,40 @@ public sealed class MotionRecorderTests : IDisposable
     }
 
     [Fact]
+    public void Takes_have_a_name_and_a_slate_that_counts_up()
+    {
+        MocapSource source = Stage.AddSimulator();
+        MotionRecorder recorder = AddRecorder(source);
+        (recorder.TakeName, recorder.Slate, recorder.FileName) = ("Shot", 7, "{name} {take}");
+        foreach (int slate in (int[])[7, 8])
+        {
+            Assert.Equal(slate, recorder.Slate);
+            Assert.True(recorder.StartRecording());
+            _loop.RunUntil(() => recorder.Frames >= 10);
+            Assert.Equal(slate, recorder.Slate);
+            Assert.True(recorder.Elapsed > 0);
+            recorder.StopRecording();
+            _loop.RunUntil(() => recorder.State == RecorderState.Idle);
+            Assert.StartsWith($"Shot 00{slate}", Path.GetFileName(Assert.Single(recorder.Files)), StringComparison.Ordinal);
+        }
+
+        // A take without files has no number.
+        recorder.Folder = recorder.Files[0];
+        Assert.True(recorder.StartRecording());
+        _loop.RunUntil(() => recorder.State == RecorderState.Idle);
+        Assert.Contains("cannot start", recorder.Problem);
+        Assert.Equal(9, recorder.Slate);
+
+        // The slate begins again, as after play mode, and the files are still there.
+        (recorder.Folder, recorder.Slate) = (_folder.FullName, 1);
+        Assert.True(recorder.StartRecording());
+        _loop.RunUntil(() => recorder.Frames >= 10);
+        recorder.StopRecording();
+        _loop.RunUntil(() => recorder.State == RecorderState.Idle);
+        Assert.Equal(2, recorder.Slate);
+    }
+
+    [Fact]
     public void Disabling_completes_the_take()
     {
         MocapSource source = Stage.AddSimulator();

@@ -10,13 +10,30 @@ public sealed class TakeFileNameTests : IDisposable
 
     [Theory]
     [InlineData("{source} {date} {time}", "Ann", "Ann 2024-05-31 14-03-09")]
-    [InlineData("", "Ann", "Ann 2024-05-31 14-03-09")]
+    [InlineData("", "Ann", "Ann Take 001")]
+    [InlineData("{name}", "Ann", "Take")]
     [InlineData("take {take}", "Ann", "take 001")]
     [InlineData("{source}", "a/b:c*d", "a-b-c-d")]
     [InlineData("{source}", "..", "take")]
     [InlineData("name. ", "Ann", "name")]
     public void A_pattern_becomes_a_name(string pattern, string source, string name) =>
         Assert.Equal(Path.Combine(_folder.FullName, name), TakeFileName.Create(_folder.FullName, pattern, source, Now, ".bvh"));
+
+    [Theory]
+    [InlineData("{name} {take}", "Shot", 7, "Shot 007", 7)]
+    [InlineData("{name} {take}", "Shot", 3, "Shot 005", 5)]
+    [InlineData("{name} {take}", " ", 0, "Take 001", 1)]
+    [InlineData("{name}", "Shot 003", 9, "Shot 003 002", 9)]
+    public void A_name_and_a_slate_are_part_of_the_pattern(string pattern, string name, int slate, string expected, int number)
+    {
+        File.WriteAllText(Path.Combine(_folder.FullName, "Shot 003.bvh"), "");
+        File.WriteAllText(Path.Combine(_folder.FullName, "Shot 004.bvh"), "");
+        var label = new TakeLabel(pattern, "Ann", name, slate, Now);
+        Assert.Equal(0, label.Number);
+
+        Assert.Equal(Path.Combine(_folder.FullName, expected), label.Create(_folder.FullName, ".bvh"));
+        Assert.Equal(number, label.Number);
+    }
 
     [Fact]
     public void No_take_replaces_another()

@@ -41,6 +41,40 @@ public sealed class SourceAllocationTests : SourceFixture
         Assert.True(byIndex.IsDriving && byName.IsDriving);
     }
 
+    // Whole frames, with everything in them that can be switched on.
+    [Theory]
+    [InlineData(DriveTime.LateUpdate, RootMotionTarget.RootTransform)]
+    [InlineData(DriveTime.Update, RootMotionTarget.CharacterController)]
+    [InlineData(DriveTime.Physics, RootMotionTarget.RootTransform)]
+    public void A_frame_with_every_option_allocates_nothing(DriveTime time, RootMotionTarget target)
+    {
+        Broadcaster server = Serve(new BroadcasterOptions { Sources = [new SyntheticSource()], Calculation = CalculationSynthesizer.Write, IncludeDisplacement = true });
+        MocapSource source = Add(server);
+        (source.Stage.Offset, source.Stage.Heading, source.Stage.Mirror, source.Stage.Scale) = (Vector3.one, 30, true, 1.2f);
+        TestFigure figure = TestFigure.Build("A");
+        figure.Root.AddComponent<CharacterController>();
+        HumanoidDriver driver = figure.Drive(source);
+        (driver.Smoothing, driver.FootPlanting, driver.Displacement, driver.Weight) = (true, true, true, 0.5f);
+        (driver.RootMotionTarget, driver.WhenIdle) = (target, IdleBehaviour.BlendToRest);
+        driver.PartWeights.Set(BodyParts.Arms, 0.5f);
+        driver.BoneWeights.Add(new HumanoidBoneWeight { Bone = HumanoidBone.Head, Weight = 0 });
+        if (time == DriveTime.Physics)
+            FigureColliders.Add(driver);
+
+        driver.DriveTime = time;
+        HandProp prop = new GameObject("Sword").AddComponent<HandProp>();
+        prop.Driver = driver;
+        prop.gameObject.AddComponent<Rigidbody>().isKinematic = true;
+        FollowCamera follow = new GameObject("Eye").AddComponent<FollowCamera>();
+        follow.Target = figure.Root.transform;
+        Loop.RunUntil(() => driver.IsDriving);
+        source.Recenter();
+        Loop.RunFor(0.3f);
+
+        FrameAllocations.AssertNone(Loop);
+        Assert.True(driver.IsDriving && driver.Problem.Length == 0, driver.Problem);
+    }
+
     [Fact]
     public void A_received_frame_allocates_nothing()
     {

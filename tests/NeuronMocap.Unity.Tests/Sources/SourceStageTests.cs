@@ -92,24 +92,6 @@ public sealed class SourceStageTests : SourceFixture
     }
 
     [Fact]
-    public void A_key_recentres()
-    {
-        (MocapSource source, Performer performer) = Show(new Vector3(1, 0, 2), 30);
-        Input.Press(KeyCode.R);
-        Loop.Frame();
-        Assert.True(performer.GetPosition(Bone.Hips).z > 1.9f);
-        Input.Release(KeyCode.R);
-
-        source.RecenterKey = KeyCode.R;
-        Loop.Frame();
-        Assert.True(performer.GetPosition(Bone.Hips).z > 1.9f);
-        Input.Press(KeyCode.R);
-        Loop.Frame();
-
-        AssertNear(new Vector3(0, performer.GetPosition(Bone.Hips).y, 0), performer.GetPosition(Bone.Hips));
-    }
-
-    [Fact]
     public void A_performer_of_another_source_cannot_be_the_centre()
     {
         (MocapSource source, _) = Show(Vector3.zero, 0);

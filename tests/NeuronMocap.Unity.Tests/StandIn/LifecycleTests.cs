@@ -13,6 +13,15 @@ public sealed class LifecycleTests : IDisposable
 
     public void Dispose() => _loop.Dispose();
 
+    // A machine that is busy between two clock readings may have no time left for a frame.
+    [Fact]
+    public void A_run_of_no_time_is_one_frame()
+    {
+        int before = Time.frameCount;
+        _loop.RunFor(0);
+        Assert.Equal(before + 1, Time.frameCount);
+    }
+
     [Fact]
     public void Callbacks_run_in_Unitys_order()
     {

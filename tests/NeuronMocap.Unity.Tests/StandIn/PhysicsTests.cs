@@ -71,10 +71,29 @@ public sealed class PhysicsTests : IDisposable
         _loop.Frame(Step);
 
         parent.transform.position = Vector3.right;
+        Physics.SyncTransforms();
         body.MovePosition(new Vector3(1.1f, 0, 0));
         _loop.Frame(Step);
 
         Assert.Equal(0.1f / Step, body.velocity.x, 1e-3f);
+    }
+
+    [Fact]
+    public void A_transform_that_physics_has_not_seen_takes_moves_and_places_away()
+    {
+        var parent = new GameObject("Parent");
+        Rigidbody moved = Add("Moved", parent.transform);
+        Rigidbody placed = Add("Placed", parent.transform);
+        _loop.Frame(Step);
+
+        parent.transform.position = Vector3.right;
+        Assert.Equal(Vector3.zero, moved.position);
+        moved.MovePosition(new Vector3(1.1f, 0, 0));
+        placed.position = Vector3.up;
+        _loop.Frame(Step);
+
+        Assert.Equal((Vector3.right, Vector3.zero), (moved.transform.position, moved.velocity));
+        Assert.Equal(Vector3.right, placed.transform.position);
     }
 
     [Fact]

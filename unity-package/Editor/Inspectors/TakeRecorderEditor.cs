@@ -72,6 +72,6 @@ namespace NeuronMocap.Unity.EditorTools
             }
         }
 
-        private static bool IsCommon(string field) => field is "_fileName" or "_recordOnPlay";
+        private static bool IsCommon(string field) => field is "_takeName" or "_slate" or "_fileName" or "_recordOnPlay";
     }
 }

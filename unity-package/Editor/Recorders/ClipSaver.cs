@@ -31,7 +31,7 @@ namespace NeuronMocap.Unity.EditorTools
         {
             string folder = MakeFolder(recorder.Folder);
             string character = recorder.Animator != null ? recorder.Animator.name : recorder.name;
-            string wanted = TakeFileName.Create(folder, recorder.FileName, character, DateTime.Now, Extension).Replace('\\', '/') + Extension;
+            string wanted = recorder.Label(character).Create(folder, Extension).Replace('\\', '/') + Extension;
             string path = AssetDatabase.GenerateUniqueAssetPath(wanted);
             try
             {

@@ -9,7 +9,7 @@ namespace NeuronMocap.Unity.EditorTools
     internal sealed class TakeSettings : ScriptableSingleton<TakeSettings>
     {
         [SerializeField, Tooltip("Name of the next take. Its files have this name and the slate.")]
-        private string _takeName = "Take";
+        private string _takeName = TakeLabel.DefaultName;
 
         [SerializeField, Min(1), Tooltip("Number of the next take. Counts up with each take.")]
         private int _slate = 1;
@@ -54,7 +54,7 @@ namespace NeuronMocap.Unity.EditorTools
         }
 
         // Name and slate of the next take.
-        public string NextName => $"{(_takeName.Trim().Length == 0 ? "Take" : _takeName.Trim())} {Mathf.Max(1, _slate):000}";
+        public string NextName => new TakeLabel("{name} {take}", "", _takeName, _slate, default).First;
 
         // Returns the name of the take that starts now.
         public string TakeNextName()

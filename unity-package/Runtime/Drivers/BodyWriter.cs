@@ -20,6 +20,7 @@ namespace NeuronMocap.Unity
         private readonly Rigidbody?[] _bodies;
         private readonly bool[] _isCarried;
         private readonly Pose[] _before;
+        private Rigidbody? _loose;
         private bool _isHeld;
         private bool _hasBegun;
 
@@ -33,6 +34,9 @@ namespace NeuronMocap.Unity
             _isCarried = new bool[nodes.Length];
             _before = new Pose[nodes.Length];
         }
+
+        // Empty if there is no problem.
+        public string Problem { get; private set; } = string.Empty;
 
         // Before something moves the figure's root in this step, and all bodies with it.
         public void Hold(RetargetedPose pose)
@@ -65,6 +69,8 @@ namespace NeuronMocap.Unity
                     _nodes[node].SetPositionAndRotation(_before[node].position, _before[node].rotation);
             }
 
+            // Otherwise physics would notice the changed transforms only at the step itself, and place the bodies instead of moving them.
+            Physics.SyncTransforms();
             ComputeTarget(pose, weight);
             for (int node = 0; node < _nodes.Length; node++)
             {
@@ -92,6 +98,7 @@ namespace NeuronMocap.Unity
         public void End()
         {
             _isHeld = false;
+            Report(null);
             if (!_hasBegun)
                 return;
 
@@ -124,17 +131,32 @@ namespace NeuronMocap.Unity
         // Looks for bodies in each step, because components come and go at any time.
         private void FindBodies(RetargetedPose pose)
         {
+            Rigidbody? loose = null;
             for (int node = 0; node < _nodes.Length; node++)
             {
                 Rigidbody? body = pose.IsDriven(node) ? FindBody(_nodes[node]) : null;
-                bool isBody = body != null;
+                bool isBody = body is { isKinematic: true };
+                if (!isBody)
+                    loose ??= body;
                 if (!isBody && _bodies[node] is not null)
                     _writer.Forget(node);
 
-                _bodies[node] = body;
+                _bodies[node] = isBody ? body : null;
                 _writer.Skipped[node] = isBody;
                 _isCarried[node] = isBody && IsBelowMovedTransform(pose, node);
             }
+
+            Report(loose);
+        }
+
+        // A sentence for each change, not for each step.
+        private void Report(Rigidbody? loose)
+        {
+            if (loose == _loose)
+                return;
+
+            _loose = loose;
+            Problem = loose == null ? string.Empty : $"{loose.name} has a Rigidbody that is not kinematic. Physics and the driver both move it. Set Is Kinematic.";
         }
 
         private void Capture(int node)
@@ -144,7 +166,7 @@ namespace NeuronMocap.Unity
         }
 
         private static Rigidbody? FindBody(Transform node) =>
-            node != null && node.TryGetComponent(out Rigidbody body) && body.isKinematic ? body : null;
+            node != null && node.TryGetComponent(out Rigidbody body) ? body : null;
 
         private bool IsBelowMovedTransform(RetargetedPose pose, int node)
         {

@@ -26,7 +26,7 @@ namespace NeuronMocap.Unity
             if (ActiveSource == null)
                 return NoSource;
             if (IsDriving)
-                return _rootMotionTarget == RootMotionTarget.CharacterController && _controller == null ? NoController : string.Empty;
+                return _rootMotionTarget == RootMotionTarget.CharacterController && _controller == null ? NoController : _rig!.Bodies.Problem;
             if (!ActiveSource.isActiveAndEnabled)
                 return SourceDisabled;
             if (ActiveSource.State != SourceState.Receiving)

@@ -35,6 +35,12 @@ namespace NeuronMocap.Unity
         [NonSerialized]
         private float _presence = 1;
 
+        [NonSerialized]
+        private IdleBlend? _idle;
+
+        // Whether the figure stands with arms down, instead of keeping its last pose. The way there and back takes the idle blend time.
+        internal bool IsStanding { get; set; }
+
         private protected FigureRig? Rig => _rig;
 
         // Captures the figure and its rest pose, or describes the problem.
@@ -44,9 +50,6 @@ namespace NeuronMocap.Unity
         private protected abstract bool IsBound { get; }
 
         private protected abstract void CopyBoneWeights(BoneWeights weights);
-
-        // Takes the pose that another part of the package gave the figure for the driver's own, not for that of an Animator.
-        internal void AdoptPose() => _rig?.Writer.Adopt();
 
         private protected void Awake() => TryBind();
 
@@ -110,7 +113,10 @@ namespace NeuronMocap.Unity
 
             Blend(isLive);
             if (_hasPose)
+            {
+                Stand(_rig!);
                 Write(_rig!, Mathf.Clamp01(_weight) * _presence);
+            }
 
             IsDriving = isLive && _hasPose;
             Problem = Explain();
@@ -221,6 +227,14 @@ namespace NeuronMocap.Unity
         {
             float target = isLive || _whenIdle == IdleBehaviour.Hold ? 1 : 0;
             _presence = _idleBlendTime > 0 && !_isPreviewed ? Mathf.MoveTowards(_presence, target, FrameTime.Delta / _idleBlendTime) : target;
+        }
+
+        private void Stand(FigureRig rig)
+        {
+            if (_idle?.Rig != rig.Target)
+                _idle = IsStanding ? new IdleBlend(rig.Target) : null;
+
+            _idle?.Apply(rig.Pose, IsStanding, _idleBlendTime > 0 ? FrameTime.Delta / _idleBlendTime : 1);
         }
 
         private void RestoreRest()

@@ -8,8 +8,9 @@ using Vector3 = UnityEngine.Vector3;
 namespace NeuronMocap.Unity
 {
     /// <summary>
-    /// Moves this object, such as a sword or a ball, with a hand of a figure or another bone. With a kinematic Rigidbody, the object moves through
-    /// physics and pushes other bodies with the speed of the hand. Otherwise it follows after all drivers and spawners.
+    /// Moves this object, such as a sword or a ball, with a hand of a figure or another bone. With a Rigidbody, the object moves through physics and
+    /// pushes other bodies with the speed of the hand. A Rigidbody that is not kinematic becomes kinematic while it is held, and falls when this
+    /// component is disabled. Without a Rigidbody, the object follows after all drivers and spawners.
     /// </summary>
     [AddComponentMenu("NeuronMocap/Hand Prop")]
     [HelpURL(HelpPage.Components + "#hand-prop")]
@@ -32,7 +33,11 @@ namespace NeuronMocap.Unity
         [SerializeField]
         private Vector3 _rotationOffset;
 
-        private bool _isHeld;
+        // The place at the end of the last step.
+        private Pose? _held;
+
+        // What becomes loose again when it is no longer held.
+        private Rigidbody? _loose;
 
         /// <summary>Gets or sets the driver of the figure that holds the object.</summary>
         public FigureDriver? Driver
@@ -91,24 +96,48 @@ namespace NeuronMocap.Unity
         }
 #endif
 
-        private void OnDisable() => _isHeld = false;
+        private void OnDisable()
+        {
+            _held = null;
+            if (_loose != null)
+                _loose.isKinematic = false;
+
+            _loose = null;
+        }
 
         private void FixedUpdate()
         {
-            if (!(FindBody() is { } body) || !TryGetPlace(out Vector3 position, out Quaternion rotation))
+            if (_driver == null)
+                OnDisable();
+            if (!TryGetComponent(out Rigidbody body) || !TryGetPlace(out Vector3 position, out Quaternion rotation))
                 return;
 
-            KinematicMove.To(body, position, rotation, jumps: !_isHeld);
-            _isHeld = true;
+            Hold(body);
+
+            // The object may be below the hand, whose transform takes it along without a velocity.
+            if (_held is { } held)
+                transform.SetPositionAndRotation(held.position, held.rotation);
+
+            Physics.SyncTransforms();
+            KinematicMove.To(body, position, rotation, jumps: _held is null);
+            _held = new Pose(position, rotation);
         }
 
         private void LateUpdate()
         {
-            if (FindBody() is null && TryGetPlace(out Vector3 position, out Quaternion rotation))
+            if (!TryGetComponent(out Rigidbody _) && TryGetPlace(out Vector3 position, out Quaternion rotation))
                 transform.SetPositionAndRotation(position, rotation);
         }
 
-        private Rigidbody? FindBody() => TryGetComponent(out Rigidbody body) && body.isKinematic ? body : null;
+        // Otherwise, gravity would move the object away from the hand between the steps.
+        private void Hold(Rigidbody body)
+        {
+            if (body.isKinematic)
+                return;
+
+            body.isKinematic = true;
+            _loose = body;
+        }
 
         private bool TryGetPlace(out Vector3 position, out Quaternion rotation)
         {

@@ -93,21 +93,6 @@ namespace NeuronMocap.Unity
             }
         }
 
-        // Takes the driven transforms as they stand for written by this object, after another part of the package has changed them.
-        public void Adopt()
-        {
-            for (int node = 0; node < _nodes.Length; node++)
-            {
-                if (_nodes[node] == null)
-                    continue;
-
-                if (_isTurned[node])
-                    _writtenRotations[node] = _nodes[node].localRotation;
-                if (_isMoved[node])
-                    _writtenPositions[node] = _nodes[node].localPosition;
-            }
-        }
-
         // Another writer has moved a transform, so its pose is not that of an Animator.
         public void Forget(int node)
         {

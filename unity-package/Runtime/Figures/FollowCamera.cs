@@ -1,5 +1,6 @@
 #nullable enable
 
+using NeuronMocap.Retargeting;
 using UnityEngine;
 using Vector3 = UnityEngine.Vector3;
 
@@ -12,8 +13,11 @@ namespace NeuronMocap.Unity
     [DisallowMultipleComponent]
     public sealed class FollowCamera : MonoBehaviour
     {
+        private const float SearchPeriod = 1; // s
+
         [SerializeField]
-        [Tooltip("The figure to follow: its hips if it is a built figure or a Humanoid character, otherwise its own position. Empty: the object stays.")]
+        [Tooltip("The figure to follow: the hips of a Humanoid character, or of the figure whose driver is on this object, above it or below it. Otherwise its own "
+            + "position. Empty: the object stays.")]
         private Transform? _target;
 
         [SerializeField]
@@ -28,12 +32,14 @@ namespace NeuronMocap.Unity
         private Vector3 _focus;
         private bool _hasFocus;
         private Transform? _seenTarget;
+        private FigureDriver? _driver;
         private FigureBuilder? _builder;
         private Animator? _animator;
+        private float _searchTime;
 
         /// <summary>
-        /// Gets or sets the figure to follow: its hips if it is a built figure or a Humanoid character, otherwise its own position. Null: the object
-        /// stays.
+        /// Gets or sets the figure to follow: the hips of a Humanoid character, or of the figure whose <see cref="FigureDriver"/> is on this object, above
+        /// it or below it. Otherwise its own position. Null: the object stays.
         /// </summary>
         public Transform? Target
         {
@@ -82,21 +88,32 @@ namespace NeuronMocap.Unity
             transform.LookAt(_focus);
         }
 
-        // The object of a built figure or of a character can stay in place while the hips walk.
+        // The object of a figure can stay in place while the hips walk.
         private Vector3 FindFocus(Transform target)
         {
-            if (_seenTarget != target)
-            {
-                _seenTarget = target;
-                target.TryGetComponent(out _builder);
-                target.TryGetComponent(out _animator);
-            }
+            if (_seenTarget != target || (_driver == null && Time.unscaledTime >= _searchTime))
+                Search(target);
 
+            if (_driver != null && _driver.TryGetBonePose(HumanoidBone.Hips, out Vector3 driven, out _))
+                return driven;
             if (_builder != null)
                 return _builder.Figure is { IsDestroyed: false } figure ? figure.GetBone(Bone.Hips).position : target.position + Vector3.up;
 
             Transform? hips = _animator != null && _animator.isHuman ? _animator.GetBoneTransform(HumanBodyBones.Hips) : null;
             return hips != null ? hips.position : target.position;
+        }
+
+        // Figures of a spawner come and go.
+        private void Search(Transform target)
+        {
+            _seenTarget = target;
+            _searchTime = Time.unscaledTime + SearchPeriod;
+            _driver = target.GetComponentInParent<FigureDriver>();
+            if (_driver == null)
+                _driver = target.GetComponentInChildren<FigureDriver>();
+
+            (_driver != null ? _driver.transform : target).TryGetComponent(out _builder);
+            target.TryGetComponent(out _animator);
         }
     }
 }

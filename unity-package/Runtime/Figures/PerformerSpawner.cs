@@ -170,13 +170,6 @@ namespace NeuronMocap.Unity
             }
         }
 
-        private void LateUpdate()
-        {
-            float step = _blendSeconds > 0 ? FrameTime.Delta / _blendSeconds : 1;
-            for (int i = 0; i < _figures.Count; i++)
-                _figures[i].Apply(step);
-        }
-
         private void OnDisable() => DespawnAll();
 
         private void SpawnMissing(IReadOnlyList<Performer> performers)

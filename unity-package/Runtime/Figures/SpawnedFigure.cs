@@ -6,7 +6,6 @@ namespace NeuronMocap.Unity
     /// <summary>A figure created by a <see cref="PerformerSpawner"/>.</summary>
     public sealed class SpawnedFigure
     {
-        private IdleBlend? _blend;
         private IdlePose _idlePose;
 
         internal SpawnedFigure(GameObject root, FigureDriver driver, Performer performer, int place)
@@ -15,15 +14,6 @@ namespace NeuronMocap.Unity
             Driver = driver;
             Performer = performer;
             Place = place;
-            if (root.TryGetComponent(out FigureBuilder builder))
-            {
-                builder.Built += figure => Capture(figure.Animator);
-                Capture(builder.Figure?.Animator);
-            }
-            else if (driver is HumanoidDriver humanoid)
-            {
-                Capture(humanoid.Animator);
-            }
         }
 
         /// <summary>Gets the figure's object, a child of the spawner.</summary>
@@ -62,36 +52,21 @@ namespace NeuronMocap.Unity
             return true;
         }
 
-        internal void Apply(float step)
-        {
-            if (_blend is { } blend && blend.Apply(step))
-                Driver.AdoptPose();
-        }
-
         private void Leave(IdlePose pose, float blendSeconds)
         {
             _idlePose = pose;
             Driver.WhenIdle = pose == IdlePose.Rest ? IdleBehaviour.BlendToRest : IdleBehaviour.Hold;
             Driver.IdleBlendTime = blendSeconds;
-            if (pose == IdlePose.Stand)
-                _blend?.Leave();
-            else if (pose == IdlePose.Hide)
+            Driver.IsStanding = pose == IdlePose.Stand;
+            if (pose == IdlePose.Hide)
                 Root.SetActive(false);
         }
 
         private void Return()
         {
-            if (_idlePose == IdlePose.Stand)
-                _blend?.Return();
-            else if (_idlePose == IdlePose.Hide)
+            Driver.IsStanding = false;
+            if (_idlePose == IdlePose.Hide)
                 Root.SetActive(true);
-        }
-
-        // Before the driver moves the character.
-        private void Capture(Animator? animator)
-        {
-            if (animator != null && animator.isHuman)
-                _blend = new IdleBlend(animator);
         }
     }
 }

@@ -172,6 +172,7 @@ namespace NeuronMocap.Unity
             try
             {
                 SavedPath = Saver(this, take);
+                CountUp();
             }
             catch (Exception exception) when (exception is IOException || exception is UnauthorizedAccessException || exception is ArgumentException)
             {

@@ -188,19 +188,20 @@ namespace NeuronMocap.Unity
             Bytes = 0;
             Files = Array.Empty<string>();
             string folder = Path.Combine(Application.persistentDataPath, _folder);
-            string pattern = FileName;
-            string label = _source.name;
-            DateTime now = DateTime.Now;
+            TakeLabel label = Label(_source.name);
             _take = new TakeWriter(
                 reader,
                 _formats,
                 _allPerformers ? (int?)null : _avatarIndex,
-                () => TakeFileName.Create(folder, pattern, label, now, TakeWriter.Extensions));
+                () => label.Create(folder, TakeWriter.Extensions));
         }
 
         private void Finish()
         {
             _take = null;
+            if (Files.Count > 0)
+                CountUp();
+
             Finished?.Invoke(Files);
         }
     }

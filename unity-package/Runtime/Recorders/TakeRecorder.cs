@@ -1,4 +1,5 @@
 #nullable enable
+using System;
 using UnityEngine;
 
 namespace NeuronMocap.Unity
@@ -7,15 +8,43 @@ namespace NeuronMocap.Unity
     public abstract class TakeRecorder : MonoBehaviour
     {
         [SerializeField]
-        [Tooltip("Name of the files, without extension. {source} is the name of the source or character; {date}, {time} and {take} (001, 002 ...) are replaced.")]
+        [Tooltip("Name of the takes: {name} in File Name.")]
+        private string _takeName = TakeLabel.DefaultName;
+
+        [SerializeField]
+        [Min(1)]
+        [Tooltip("Number of the next take: {take} in File Name. Counts up after each take, and skips numbers that files of the folder have.")]
+        private int _slate = 1;
+
+        [SerializeField]
+        [Tooltip("Name of the files, without extension. {source} is the name of the source or character; {name}, {take} (001, 002 ...), {date} and {time} are replaced.")]
         private string _fileName = TakeFileName.DefaultPattern;
 
         [SerializeField]
         [Tooltip("Start a take when play mode, or the scene, starts.")]
         private bool _recordOnPlay;
 
+        private TakeLabel? _label;
+
         private protected TakeRecorder()
         {
+        }
+
+        /// <summary>Gets or sets the name of the takes, <c>{name}</c> in <see cref="FileName"/>. Empty: the default, <c>Take</c>.</summary>
+        public string TakeName
+        {
+            get => _takeName;
+            set => _takeName = value ?? "";
+        }
+
+        /// <summary>
+        /// Gets or sets the number of the next take, <c>{take}</c> in <see cref="FileName"/>, from 1. Numbers that files of the folder have are skipped.
+        /// It counts up when a take has written its files, and during play mode only: Unity restores fields at its end.
+        /// </summary>
+        public int Slate
+        {
+            get => _slate;
+            set => _slate = Mathf.Max(1, value);
         }
 
         /// <summary>Gets or sets the name of the next take's files, a pattern for <see cref="TakeFileName"/>.</summary>
@@ -54,6 +83,18 @@ namespace NeuronMocap.Unity
 
         /// <summary>Ends the take. Its files may be complete a moment later.</summary>
         public abstract void StopRecording();
+
+        // source: the value of {source}.
+        internal TakeLabel Label(string source) => _label = new TakeLabel(_fileName, source, _takeName, _slate, DateTime.Now);
+
+        // After a take whose files have a name.
+        private protected void CountUp()
+        {
+            if (_label is { Number: > 0 } label)
+                Slate = label.Number + 1;
+
+            _label = null;
+        }
 
         // Returns the reason why the take cannot start, or an empty text.
         private protected abstract string Begin();

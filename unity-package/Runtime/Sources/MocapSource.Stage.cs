@@ -16,7 +16,8 @@ namespace NeuronMocap.Unity
         /// </summary>
         public SourceStage Stage => _stage;
 
-        /// <summary>Gets or sets the key that calls <see cref="Recenter()"/>. The default is none. It needs Unity's old Input Manager.</summary>
+        /// <summary>Gets or sets the key that calls <see cref="Recenter()"/>. The default is none.</summary>
+        /// <remarks>It works with the old Input Manager and with the package Input System, which reads keys of the keyboard only.</remarks>
         public KeyCode RecenterKey
         {
             get => _recenterKey;
@@ -57,10 +58,8 @@ namespace NeuronMocap.Unity
 
         private void FollowRecenterKey()
         {
-#if ENABLE_LEGACY_INPUT_MANAGER
-            if (_recenterKey != KeyCode.None && Input.GetKeyDown(_recenterKey))
+            if (KeyPresses.IsPressed(_recenterKey))
                 Recenter();
-#endif
         }
     }
 }

@@ -132,8 +132,8 @@ namespace NeuronMocap.Unity
         [SerializeField]
         private SourceStage _stage = new SourceStage();
 
-        [Tooltip("Key that makes the place and the facing of the first performer origin and forward of the stage. It needs the old Input Manager. With the Input System, call "
-            + "Recenter from an action.")]
+        [Tooltip("Key that makes the place and the facing of the first performer origin and forward of the stage. It works with the old Input Manager "
+            + "and with the Input System.")]
         [SerializeField]
         private KeyCode _recenterKey;
 

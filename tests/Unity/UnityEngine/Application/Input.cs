@@ -37,34 +37,3 @@ public static class Input
         _axes.Clear();
     }
 }
-
-public enum KeyCode
-{
-    None = 0,
-    Backspace = 8,
-    Tab = 9,
-    Return = 13,
-    Escape = 27,
-    Space = 32,
-    Alpha0 = 48,
-    Alpha1 = 49,
-    Alpha2 = 50,
-    Alpha3 = 51,
-    A = 97,
-    B = 98,
-    C = 99,
-    D = 100,
-    L = 108,
-    P = 112,
-    R = 114,
-    S = 115,
-    T = 116,
-    W = 119,
-    UpArrow = 273,
-    DownArrow = 274,
-    RightArrow = 275,
-    LeftArrow = 276,
-    Mouse0 = 323,
-    Mouse1 = 324,
-    Mouse2 = 325,
-}

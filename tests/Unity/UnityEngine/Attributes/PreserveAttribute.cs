@@ -8,3 +8,8 @@ namespace UnityEngine.Scripting;
 public class PreserveAttribute : Attribute
 {
 }
+
+[AttributeUsage(AttributeTargets.Assembly)]
+public sealed class AlwaysLinkAssemblyAttribute : Attribute
+{
+}

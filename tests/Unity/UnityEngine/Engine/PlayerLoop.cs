@@ -83,11 +83,12 @@ internal sealed class PlayerLoop : IDisposable
         }
     }
 
-    /// <summary>Runs frames in real time for a while.</summary>
+    /// <summary>Runs frames in real time for a while. At least one, even if the machine is so busy that the while is over before it.</summary>
     public void RunFor(float seconds)
     {
         TimeSpan end = _clock.Elapsed + TimeSpan.FromSeconds(seconds);
-        RunUntil(() => _clock.Elapsed >= end);
+        int checks = 0;
+        RunUntil(() => checks++ > 0 && _clock.Elapsed >= end);
     }
 
     /// <summary>Changes to another scene.</summary>

@@ -192,7 +192,20 @@ public sealed class GameObject : Object
 
     public T GetComponentInChildren<T>() => GetComponentInChildren<T>(false);
 
-    public T GetComponentInChildren<T>(bool includeInactive) => GetComponentsInChildren<T>(includeInactive).FirstOrDefault()!;
+    // Allocates nothing.
+    public T GetComponentInChildren<T>(bool includeInactive)
+    {
+        if ((includeInactive || IsActive || _isAsset) && GetComponent<T>() is { } own)
+            return own;
+
+        foreach (Transform child in transform.Children)
+        {
+            if (child.Owner!.GetComponentInChildren<T>(includeInactive) is { } found)
+                return found;
+        }
+
+        return default!;
+    }
 
     public T[] GetComponentsInChildren<T>() => GetComponentsInChildren<T>(false);
 
@@ -210,7 +223,17 @@ public sealed class GameObject : Object
         Collect(includeInactive, results);
     }
 
-    public T GetComponentInParent<T>() => GetComponentsInParent<T>().FirstOrDefault()!;
+    // Allocates nothing.
+    public T GetComponentInParent<T>()
+    {
+        for (Transform? item = transform; item is not null; item = item.Parent)
+        {
+            if (item.Owner!.IsActive && item.Owner.GetComponent<T>() is { } found)
+                return found;
+        }
+
+        return default!;
+    }
 
     public T[] GetComponentsInParent<T>()
     {

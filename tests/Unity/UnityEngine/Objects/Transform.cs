@@ -8,6 +8,9 @@ public class Transform : Component, IEnumerable
     private Quaternion _localRotation = Quaternion.identity;
     private Vector3 _localScale = Vector3.one;
 
+    [NonSerialized]
+    private long _lastChange;
+
     protected internal Transform()
     {
     }
@@ -36,6 +39,12 @@ public class Transform : Component, IEnumerable
 
     public bool hasChanged { get; set; } = true;
 
+    /// <summary>The number of all changes of transforms so far. Physics looks at changes once in a while.</summary>
+    internal static long Changes { get; private set; }
+
+    /// <summary>The latest change that moved this transform: its own, or that of a parent.</summary>
+    internal long LastChange => Math.Max(_lastChange, Parent?.LastChange ?? 0);
+
     public Vector3 localPosition
     {
         get
@@ -52,7 +61,7 @@ public class Transform : Component, IEnumerable
             else
                 Debug.LogError($"transform.localPosition assign attempt for '{name}' is not valid. Input localPosition is {value}.");
 
-            hasChanged = true;
+            MarkChanged();
         }
     }
 
@@ -68,7 +77,7 @@ public class Transform : Component, IEnumerable
         {
             Check();
             _localRotation = Valid(value);
-            hasChanged = true;
+            MarkChanged();
         }
     }
 
@@ -84,7 +93,7 @@ public class Transform : Component, IEnumerable
         {
             Check();
             _localScale = value;
-            hasChanged = true;
+            MarkChanged();
         }
     }
 
@@ -211,6 +220,7 @@ public class Transform : Component, IEnumerable
             localScale = new Vector3(Divide(worldScale.x, unit.x), Divide(worldScale.y, unit.y), Divide(worldScale.z, unit.z));
         }
 
+        MarkChanged();
         if (wasActive != Owner.IsActive)
             Owner.RefreshActivity();
     }
@@ -331,6 +341,12 @@ public class Transform : Component, IEnumerable
     {
         Check();
         return Children.ToArray().GetEnumerator();
+    }
+
+    private void MarkChanged()
+    {
+        hasChanged = true;
+        _lastChange = ++Changes;
     }
 
     internal string GetPath() => Parent is null ? name : $"{Parent.GetPath()}/{name}";

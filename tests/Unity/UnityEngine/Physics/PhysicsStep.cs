@@ -1,6 +1,6 @@
 namespace UnityEngine.StandIn;
 
-/// <summary>The physics step after each FixedUpdate: all bodies move, and then their transforms follow.</summary>
+/// <summary>The physics step after each FixedUpdate: it notices transforms that scripts have changed, moves all bodies, and lets their transforms follow.</summary>
 internal static class PhysicsStep
 {
     private static readonly List<Rigidbody> _bodies = [];
@@ -8,6 +8,15 @@ internal static class PhysicsStep
     public static void Add(Rigidbody body) => _bodies.Add(body);
 
     public static void Clear() => _bodies.Clear();
+
+    public static void SyncTransforms()
+    {
+        foreach (Rigidbody body in _bodies)
+        {
+            if (body.IsSimulated)
+                body.Sync();
+        }
+    }
 
     public static void Run(float seconds)
     {
@@ -18,6 +27,7 @@ internal static class PhysicsStep
         }
 
         Sort();
+        SyncTransforms();
         foreach (Rigidbody body in _bodies)
         {
             if (body.IsSimulated)

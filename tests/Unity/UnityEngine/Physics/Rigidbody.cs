@@ -3,16 +3,14 @@ using UnityEngine.StandIn;
 namespace UnityEngine;
 
 /// <summary>
-/// A body whose pose is that of its transform, except during physics steps: changes of the transform, and moves, become effective in the next step.
-/// Only kinematic bodies move; forces and collisions do not exist.
+/// A body with a pose of its own. Physics notices a changed transform, or a changed parent, in <see cref="Physics.SyncTransforms"/> and at the
+/// beginning of each step. It then places the body without a velocity. Unity does not say what becomes of a move that was asked for before; here, it is
+/// lost. Moves become effective in the next step. Only kinematic bodies move; forces and collisions do not exist.
 /// </summary>
 public class Rigidbody : Component
 {
     [NonSerialized]
     private Pose _pose;
-
-    [NonSerialized]
-    private Pose _shown;
 
     [NonSerialized]
     private Vector3? _nextPosition;
@@ -21,7 +19,7 @@ public class Rigidbody : Component
     private Quaternion? _nextRotation;
 
     [NonSerialized]
-    private bool _isKnown;
+    private long _seenChange = -1;
 
     public Rigidbody() => PhysicsStep.Add(this);
 
@@ -73,10 +71,7 @@ public class Rigidbody : Component
         get
         {
             Check();
-            if (!_isKnown)
-                _pose = _shown = new Pose(transform.position, transform.rotation);
-
-            _isKnown = true;
+            Look();
             return _pose;
         }
     }
@@ -84,6 +79,7 @@ public class Rigidbody : Component
     /// <summary>Moves a kinematic body in the next physics step, with the velocity that takes it there. Other bodies jump.</summary>
     public void MovePosition(Vector3 position)
     {
+        Look();
         if (isKinematic)
             _nextPosition = position;
         else
@@ -95,20 +91,27 @@ public class Rigidbody : Component
     {
         if (Mathf.Abs(Quaternion.Dot(rot, rot) - 1) > 1e-4f)
             Debug.LogError("Rotation quaternions must be unit length.");
+        Look();
         if (isKinematic)
             _nextRotation = rot;
         else
             rotation = rot;
     }
 
+    /// <summary>Places the body where its transform is, if the transform has changed.</summary>
+    internal void Sync()
+    {
+        if (transform.LastChange <= _seenChange)
+            return;
+
+        _pose = new Pose(transform.position, transform.rotation);
+        (_nextPosition, _nextRotation) = (null, null);
+        _seenChange = Transform.Changes;
+    }
+
     internal void Simulate(float seconds)
     {
-        // A transform that a script has moved, alone or with its parents, takes the body along without a velocity.
         Pose before = Known;
-        var shown = new Pose(transform.position, transform.rotation);
-        if (!shown.position.Equals(_shown.position) || !shown.rotation.Equals(_shown.rotation))
-            before = shown;
-
         if (isKinematic)
         {
             velocity = _nextPosition is { } position ? (position - before.position) / seconds : Vector3.zero;
@@ -122,7 +125,14 @@ public class Rigidbody : Component
     /// <summary>Writes the pose to the transform, for parents before their children.</summary>
     internal void Show() => transform.SetPositionAndRotation(_pose.position, _pose.rotation);
 
-    internal void EndStep() => _shown = new Pose(transform.position, transform.rotation);
+    internal void EndStep() => _seenChange = Transform.Changes;
+
+    // A new body is where its transform is.
+    private void Look()
+    {
+        if (_seenChange < 0)
+            Sync();
+    }
 
     private static Vector3 TurnBetween(Quaternion from, Quaternion to)
     {

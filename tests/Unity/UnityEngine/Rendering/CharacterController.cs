@@ -72,6 +72,8 @@ public class Physics
 {
     public static Vector3 gravity { get; set; } = new(0, -9.81f, 0);
 
+    public static void SyncTransforms() => StandIn.PhysicsStep.SyncTransforms();
+
     public static void IgnoreCollision(Collider collider1, Collider collider2) => IgnoreCollision(collider1, collider2, true);
 
     public static void IgnoreCollision(Collider collider1, Collider collider2, bool ignore)

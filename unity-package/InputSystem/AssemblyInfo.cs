@@ -1,0 +1,6 @@
+using System.Runtime.CompilerServices;
+using UnityEngine.Scripting;
+
+// No other assembly refers to this one, so a build would leave it out.
+[assembly: AlwaysLinkAssembly]
+[assembly: InternalsVisibleTo("NeuronMocap.Unity.Tests")]
