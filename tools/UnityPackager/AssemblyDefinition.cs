@@ -10,7 +10,7 @@ internal sealed record AssemblyDefinition(
     IReadOnlyList<string> PrecompiledReferences,
     IReadOnlyList<string> IncludePlatforms,
     IReadOnlyList<string> DefineConstraints,
-    IReadOnlyList<string> VersionDefines,
+    IReadOnlyList<PackageSymbol> VersionDefines,
     bool OverrideReferences,
     bool AutoReferenced)
 {
@@ -18,10 +18,13 @@ internal sealed record AssemblyDefinition(
 
     public bool IsEditorOnly => IncludePlatforms is ["Editor"];
 
-    /// <summary>Whether Unity compiles it only together with another package, whose assemblies it may reference.</summary>
-    public bool NeedsOtherPackage => DefineConstraints.Intersect(VersionDefines, StringComparer.Ordinal).Any();
+    /// <summary>Whether Unity compiles it only together with another package.</summary>
+    public bool NeedsOtherPackage => NeededPackages.Any();
 
     public bool IsTest => DefineConstraints.Contains(TestConstraint);
+
+    private IEnumerable<string> NeededPackages =>
+        VersionDefines.Where(symbol => DefineConstraints.Contains(symbol.Define)).Select(static symbol => symbol.Package);
 
     private string Folder => AssetPath.ParentOf(Path) ?? string.Empty;
 
@@ -41,12 +44,18 @@ internal sealed record AssemblyDefinition(
             root.TryGetProperty("overrideReferences", out JsonElement overrides) && overrides.GetBoolean(),
             !root.TryGetProperty("autoReferenced", out JsonElement auto) || auto.GetBoolean());
 
-        string[] GetVersionDefines() =>
-            root.TryGetProperty("versionDefines", out JsonElement list) ? [.. list.EnumerateArray().Select(static item => item.GetProperty("define").GetString() ?? string.Empty)] : [];
+        PackageSymbol[] GetVersionDefines() =>
+            root.TryGetProperty("versionDefines", out JsonElement list) ? [.. list.EnumerateArray().Select(static item => new PackageSymbol(GetText(item, "name"), GetText(item, "define")))] : [];
+
+        static string GetText(JsonElement item, string name) => item.GetProperty(name).GetString() ?? string.Empty;
 
         string[] GetTexts(string name) =>
             root.TryGetProperty(name, out JsonElement list) ? [.. list.EnumerateArray().Select(static text => text.GetString() ?? string.Empty)] : [];
     }
+
+    /// <summary>Whether another package that this assembly needs has the assembly. Unity names its assemblies after their packages.</summary>
+    public bool MayReferenceOfOtherPackage(string assembly) =>
+        NeededPackages.Any(package => Simplify(assembly).StartsWith(Simplify(package[(package.IndexOf('.', StringComparison.Ordinal) + 1)..]), StringComparison.OrdinalIgnoreCase));
 
     public static IReadOnlyList<AssemblyDefinition> FindAll(StagedPackage package) =>
         [.. package.AssetFiles.Where(IsDefinition).Select(path => Parse(path, package.Files[path]))];
@@ -57,4 +66,9 @@ internal sealed record AssemblyDefinition(
     public static AssemblyDefinition? Owning(string source, IEnumerable<AssemblyDefinition> definitions) => definitions
         .Where(definition => source.StartsWith(definition.Folder + '/', StringComparison.Ordinal))
         .MaxBy(static definition => definition.Folder.Length);
+
+    private static string Simplify(string name) => name.Replace(".", string.Empty, StringComparison.Ordinal).Replace("-", string.Empty, StringComparison.Ordinal);
 }
+
+/// <summary>A symbol that Unity defines where a package is, such as com.unity.timeline.</summary>
+internal sealed record PackageSymbol(string Package, string Define);

@@ -49,6 +49,7 @@ public sealed class LintTests
         { "package.json", "{", "", "package.json: " },
         { Definition, "\"NeuronMocap.Unity\",", "\"Other\",", "has the name Other" },
         { Definition, "\"references\": []", "\"references\": [\"Missing\"]", "the assembly Missing does not exist" },
+        { "Timeline/NeuronMocap.Unity.Timeline.asmdef", "\"Unity.Timeline\"", "\"Unity.Cinemachine\"", "the assembly Unity.Cinemachine does not exist" },
         { "Timeline/NeuronMocap.Unity.Timeline.asmdef", "\"define\": \"NEURONMOCAP_TIMELINE\"", "\"define\": \"OTHER\"", "the assembly Unity.Timeline does not exist" },
         { Definition, "\"references\": []", "\"references\": [\"NeuronMocap.Unity.Editor\"]", "NeuronMocap.Unity.Editor exists only in the editor" },
         { Definition, "\"references\": []", "\"references\": [\"NeuronMocap.Unity.Tests.PlayMode\"]", "is a test" },

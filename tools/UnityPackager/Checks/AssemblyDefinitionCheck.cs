@@ -38,7 +38,7 @@ internal static class AssemblyDefinitionCheck
         foreach (string reference in definition.References)
         {
             AssemblyDefinition? target = all.FirstOrDefault(other => other.Name == reference);
-            if (target is null && !definition.NeedsOtherPackage && !(definition.IsTest && TestAssemblies.Contains(reference)))
+            if (target is null && !definition.MayReferenceOfOtherPackage(reference) && !(definition.IsTest && TestAssemblies.Contains(reference)))
                 yield return $"{path}: the assembly {reference} does not exist";
             if (target is { IsEditorOnly: true } && !definition.IsEditorOnly)
                 yield return $"{path}: {reference} exists only in the editor";
