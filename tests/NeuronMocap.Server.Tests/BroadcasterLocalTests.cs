@@ -1,4 +1,5 @@
 using NeuronMocap.Tests.Network;
+using NeuronMocap.Tests.Server;
 
 namespace NeuronMocap.Server.Tests;
 
@@ -84,7 +85,7 @@ public sealed class BroadcasterLocalTests
     [Fact]
     public async Task An_exception_of_a_source_ends_the_broadcast()
     {
-        var options = new BroadcasterOptions { Sources = [new ThrowingSource(nameof(MotionSource.GetPose), new InvalidOperationException("Broken.")) { IsBroken = true }], Port = null, FrameRate = BroadcasterOptions.MaxFrameRate };
+        var options = new BroadcasterOptions { Sources = [new ThrowingSource(nameof(MotionSource.WriteValues), new InvalidOperationException("Broken.")) { IsBroken = true }], Port = null, FrameRate = BroadcasterOptions.MaxFrameRate };
         using Broadcaster broadcaster = Broadcasts.Started(options);
         await using var reader = new NeuronReader(Local(broadcaster));
         reader.Start();
