@@ -88,7 +88,8 @@ internal sealed partial class FedStream : Stream
     // Null if there is nothing yet. A piece that does not fit is taken in parts.
     private int? TryTake(Span<byte> destination)
     {
-        ObjectDisposedException.ThrowIf(IsDisposed && !IgnoresEnd, this);
+        if (IsDisposed && !IgnoresEnd)
+            throw new IOException("The stream was disposed.");
         if (_pieces.Count == 0)
             return !_hasEnded ? null : _failure is null ? 0 : throw _failure;
         if (destination.Length == 0)
@@ -101,7 +102,7 @@ internal sealed partial class FedStream : Stream
         {
             ArraySegment<byte>[] rest = [.. _pieces];
             _pieces.Clear();
-            _pieces.Enqueue(piece.Slice(count));
+            _pieces.Enqueue(new ArraySegment<byte>(piece.Array!, piece.Offset + count, piece.Count - count));
             foreach (ArraySegment<byte> later in rest)
                 _pieces.Enqueue(later);
         }
