@@ -102,7 +102,8 @@ public sealed partial class BroadcasterOptions
 
     /// <summary>Whether the broadcast waits for the first client, which then gets frame 0 first. Default: false.</summary>
     /// <remarks>
-    /// A client is a TCP client, or a reader of <see cref="Broadcaster.CreateLocalSource"/>. With a <see cref="CalculationPort"/>, the broadcast waits until each of the two ports has had a client.
+    /// A client is a TCP client, or a reader of <see cref="Broadcaster.CreateLocalSource"/>. With a <see cref="CalculationPort"/>, the broadcast waits
+    /// until each of the two ports has had a client.
     /// </remarks>
     public bool WaitForClient { get; set; }
 

@@ -5,7 +5,7 @@ namespace NeuronMocap.Transport;
 
 // Tracks what the current link delivers, and turns it into the states Receiving and Silent. The receive loop writes, a timer reads. The fields are
 // independent: a check that sees an older value only reaches its conclusion one period later. isHeld: whether a playback is paused.
-// explainSilence: the message for a target that is no TCP server and no UDP port, of which nothing has arrived for this time.
+// explainSilence: the message for a target that has sent nothing for this time, if it is neither a TCP server nor a UDP port.
 internal sealed class LinkActivity(
     StatusPublisher status,
     TimeSpan silence,
