@@ -11,7 +11,7 @@ public sealed partial class Broadcaster
 {
     private void Open()
     {
-        var senders = new List<Recipient>(_options.UdpDestinations.Count * _streams.Length);
+        var senders = new List<SocketRecipient>(_options.UdpDestinations.Count * _streams.Length);
         var listeners = new List<ClientListener>(_streams.Length);
         try
         {
@@ -88,7 +88,7 @@ public sealed partial class Broadcaster
         _hasBegun = true;
         try
         {
-            foreach (Recipient sender in _recipients.Where(recipient => recipient is UdpRecipient))
+            foreach (UdpRecipient sender in _recipients.OfType<UdpRecipient>())
                 Launch(sender.Worker);
             if (_pacer is not null)
                 Launch(_pacer.Worker);
@@ -159,7 +159,7 @@ public sealed partial class Broadcaster
         {
             _recipients.Remove(recipient);
             _departed = _departed.Add(recipient.Counters);
-            recipient.Stream.HasServed |= recipient is TcpClientSession && recipient.HadAll;
+            recipient.Stream.HasServed |= recipient is not UdpRecipient && recipient.HadAll;
             Monitor.PulseAll(_lock);
 
             // The pacer ends a paced broadcast.
@@ -214,12 +214,7 @@ public sealed partial class Broadcaster
         }
 
         foreach (Recipient recipient in _recipients)
-        {
-            if (recipient.Worker.IsStarted)
-                recipient.Dispose();
-            else
-                recipient.Discard();
-        }
+            recipient.Stop();
 
         Monitor.PulseAll(_lock);
         if (error is null)

@@ -63,7 +63,9 @@ public readonly record struct BroadcasterStatistics
     public long RequestsDropped { get; }
 }
 
-/// <summary>A recipient that a <see cref="Broadcaster"/> is serving: a TCP client or a UDP destination.</summary>
+/// <summary>
+/// A recipient that a <see cref="Broadcaster"/> is serving: a TCP client, a UDP destination, or a reader in the same process.
+/// </summary>
 public readonly record struct BroadcasterClient
 {
     internal BroadcasterClient(EndPoint? remoteEndPoint, bool isUdp, bool isCalculation, in RecipientCounters counters)
@@ -80,10 +82,10 @@ public readonly record struct BroadcasterClient
         RequestsDropped = counters.RequestsDropped;
     }
 
-    /// <summary>Address of the recipient, if the system reports it.</summary>
+    /// <summary>Address of the recipient; null for a reader of <see cref="Broadcaster.CreateLocalSource"/>.</summary>
     public EndPoint? RemoteEndPoint { get; }
 
-    /// <summary>True for a UDP destination, false for a TCP client.</summary>
+    /// <summary>True for a UDP destination, false for other recipients.</summary>
     public bool IsUdp { get; }
 
     /// <summary>True for a recipient of <see cref="BroadcasterOptions.CalculationPort"/>, which receives calculation packets only.</summary>

@@ -15,7 +15,8 @@ public static class NeuronDiagnostics
     /// </summary>
     /// <remarks>
     /// The diagnosis makes its own connections and does not use those of a reader. Over UDP it binds the port. Stop a reader of the same port first, or
-    /// let it share the port. While a diagnosis runs on a shared port, it takes the unicast datagrams; the reader does not get them.
+    /// let it share the port. While a diagnosis runs on a shared port, it takes the unicast datagrams; the reader does not get them. A
+    /// <see cref="NeuronReaderOptions.Source"/> is opened once more.
     /// </remarks>
     /// <param name="options">
     /// The options of the reader that receives no data. Over UDP, Host is the computer on which to look for a TCP server. The timeouts of these options
@@ -61,16 +62,19 @@ public static class NeuronDiagnostics
             Verdicts = [.. verdicts.Select(static verdict => verdict.Verdict)],
             Summary = string.Join(" ", verdicts.Select(static verdict => verdict.Advice is null ? verdict.Text : $"{verdict.Text} {verdict.Advice}")),
             Advice = advice.Length > 0 ? advice : null,
-            SampleCode = conclusion.Endpoint is { } endpoint ? SampleProgram.For(options, endpoint, how.Expected) : null,
+            SampleCode = conclusion.Endpoint is { Source: null } endpoint ? SampleProgram.For(options, endpoint, how.Expected) : null,
             Steps = log.Steps,
             Avatars = [.. conclusion.Samples.SelectMany(static sample => sample.Avatars).Select(static avatar => avatar.ToPublic())],
             Elapsed = context.Elapsed,
         };
     }
 
-    private static async Task<Conclusion> ExamineAsync(NeuronReaderOptions options, DiagnosisContext context) => options.Transport == TransportKind.Tcp
-        ? await new TcpExamination(context).RunAsync().ConfigureAwait(false)
-        : await new UdpExamination(context, options.AllowedSenders).RunAsync().ConfigureAwait(false);
+    private static Task<Conclusion> ExamineAsync(NeuronReaderOptions options, DiagnosisContext context) => (options.Source, options.Transport) switch
+    {
+        ({ } source, _) => new SourceExamination(context, source).RunAsync(),
+        (_, TransportKind.Tcp) => new TcpExamination(context).RunAsync(),
+        _ => new UdpExamination(context, options.AllowedSenders).RunAsync(),
+    };
 
     // The threads that connections share are for readers. The diagnosis of a dozen ports is short, so it uses its own threads.
     private static LinkOptions ForDiagnosis(LinkOptions link) => link with { TakeReceiver = static _ => new BlockingTcpReceiver() };

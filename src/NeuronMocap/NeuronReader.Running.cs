@@ -150,8 +150,14 @@ public sealed partial class NeuronReader
     private void End()
     {
         _stopSource.Cancel();
-        if (Interlocked.Exchange(ref _begun, 1) == 0)
-            _ = EndAsync(new ConnectionStatus(ConnectionState.Stopped, ConnectionReason.Requested, LinkEnd.Requested.Message));
+        if (Interlocked.Exchange(ref _begun, 1) != 0)
+            return;
+
+        // No link will take the stream.
+        if (_options.Source is { } source)
+            SourceLink.CloseQuietly(source.Discard);
+
+        _ = EndAsync(new ConnectionStatus(ConnectionState.Stopped, ConnectionReason.Requested, LinkEnd.Requested.Message));
     }
 
     // A busy process may have no pool thread for a while. Returns false if the system has no threads left.

@@ -29,8 +29,8 @@ namespace NeuronMocap;
 /// You can mix them, and open and close them while the reader runs. The first four allocate nothing per frame.
 /// </para>
 /// <para>
-/// A reader has one connection or one UDP port, and a second one if <see cref="NeuronReaderOptions.CalculationPort"/> is set. A program can have any
-/// number of readers. All members are thread-safe.
+/// A reader has one connection or one UDP port, and a second one if <see cref="NeuronReaderOptions.CalculationPort"/> is set. It can also receive from a
+/// stream, a <see cref="ByteSource"/> or a file. A program can have any number of readers. All members are thread-safe.
 /// </para>
 /// <para>
 /// A running reader stays alive, with its connection and its handlers, even if nothing in the program refers to it. It ends when it is disposed. If
@@ -101,6 +101,23 @@ public sealed partial class NeuronReader : IDisposable, IAsyncDisposable
     {
     }
 
+    /// <summary>Creates a reader for a stream of bytes that is already open, such as a serial port, a tunnel or a program's output.</summary>
+    /// <remarks>
+    /// The reader ends when the stream ends or fails, whatever its reconnect policy says. To reconnect, set <see cref="NeuronReaderOptions.Source"/>. On
+    /// .NET, the reader calls <c>ReadAsync</c>; with <see cref="ReceiveThread.Dedicated"/>, and on .NET Standard, it calls <c>Read</c> on a thread of its
+    /// own.
+    /// </remarks>
+    /// <param name="stream">Delivers the bytes that a server would send over TCP. Nothing else may read it while the reader runs.</param>
+    /// <param name="options">How to receive; copied; null for the defaults. Its <see cref="NeuronReaderOptions.Source"/> has no effect.</param>
+    /// <param name="leaveOpen">
+    /// False to dispose the stream when the reader ends. True to leave it open; a read that is pending then continues, and its bytes are lost.
+    /// </param>
+    /// <exception cref="ArgumentException">The stream cannot be read, or an option is out of range; the message names it.</exception>
+    public NeuronReader(Stream stream, NeuronReaderOptions? options = null, bool leaveOpen = false)
+        : this((options ?? new NeuronReaderOptions()).CopyFor(SingleStreamSource.Of(stream, leaveOpen)), createLink: null)
+    {
+    }
+
     internal NeuronReader(NeuronReaderOptions options, Func<Link>? createLink)
         : this(options, createLink, player: null)
     {
@@ -129,7 +146,12 @@ public sealed partial class NeuronReader : IDisposable, IAsyncDisposable
         _discovery = _options.Commands is { } commands ? new ServerDiscovery(commands, _format, OnFormatLearnt) : null;
         var recognizer = new StreamRecognizer(_format);
         _activity = new LinkActivity(
-            _status, _options.SilenceTimeout, _options.Transport == TransportKind.Udp ? _senders : null, recognizer.Describe, player is null ? null : () => player.IsHeld);
+            _status,
+            _options.SilenceTimeout,
+            _options.Transport == TransportKind.Udp ? _senders : null,
+            recognizer.Describe,
+            player is null ? null : () => player.IsHeld,
+            player is not null ? ConnectionMessages.NoRecordedFrames : _options.Source is not null ? ConnectionMessages.NoBytes : null);
         _eventHandlers = new HandlerList<ReaderEvent>(OnCallbackFailed);
         _eventHandlers.Add(_options.CreateLog());
         _metrics = new ReaderMetrics(_options.DisplayName);
@@ -209,7 +231,7 @@ public sealed partial class NeuronReader : IDisposable, IAsyncDisposable
     // Frames use discovered values from the moment of discovery. The next status reports them.
     internal FrameFormat Format => _format;
 
-    /// <summary>Name of this reader in metrics and logs: <see cref="NeuronReaderOptions.Name"/>, or else the server's address or the UDP port.</summary>
+    /// <summary>Name of this reader in metrics and logs: <see cref="NeuronReaderOptions.Name"/>, or else the server's address, UDP port or source.</summary>
     public string Name => _metrics.Name;
 
     /// <summary>State of the connection, with the reason for its last change.</summary>
@@ -228,7 +250,8 @@ public sealed partial class NeuronReader : IDisposable, IAsyncDisposable
     public Task Completion => _completion.Task;
 
     /// <summary>
-    /// Commands that travel on the reader's own TCP connection. Servers around versions b11 and b12 accept them. They are not available over UDP.
+    /// Commands that travel on the reader's own TCP connection. Servers around versions b11 and b12 accept them. They are not available over UDP, nor from a
+    /// stream or source.
     /// </summary>
     public DataCommands DataCommands => _pipeline.Commands;
 
@@ -254,7 +277,7 @@ public sealed partial class NeuronReader : IDisposable, IAsyncDisposable
     /// </returns>
     public bool TryGetBody(int avatarIndex, [NotNullWhen(true)] out SkeletonBody? body) => (body = _discovery?.FindBody(avatarIndex)) is not null;
 
-    private Link CreateLink() => CreateLink(_options.Link);
+    private Link CreateLink() => _options.Source is { } source ? new SourceLink(source, _options.Link) : CreateLink(_options.Link);
 
     private Link CreateLink(LinkOptions link) => _options.Transport == TransportKind.Tcp ? new TcpLink(link) : new UdpLink(link, _senders, _servers, _receiveLock);
 

@@ -17,6 +17,16 @@ public sealed partial class NeuronReaderOptions
     /// </summary>
     public string? Name { get; set; }
 
+    /// <summary>
+    /// Opens the streams of bytes to receive in place of a connection; null, the default, for TCP or UDP. The copied options refer to the same source.
+    /// </summary>
+    /// <remarks>
+    /// With a source, these options have no effect: <see cref="Transport"/>, <see cref="Port"/>, <see cref="LocalAddress"/>, <see cref="SharePort"/>,
+    /// <see cref="AllowedSenders"/>, <see cref="ConnectTimeout"/> and <see cref="CalculationPort"/>. <see cref="Host"/> is only the computer of
+    /// <see cref="CommandPort"/>. The reader sends nothing to a source, so <see cref="NeuronReader.DataCommands"/> are not available.
+    /// </remarks>
+    public ByteSource? Source { get; set; }
+
     /// <summary>TCP or UDP; must match the setting of the server. The default is TCP.</summary>
     public TransportKind Transport { get; set; } = TransportKind.Tcp;
 
@@ -121,7 +131,10 @@ public sealed partial class NeuronReaderOptions
     // How long a stop waits for a handler that is still busy. Tests set a longer time, because a busy machine can delay any thread.
     internal TimeSpan StopTimeout { get; set; } = TimeSpan.FromSeconds(2);
 
-    internal string DisplayName => Name ?? (Transport == TransportKind.Udp ? $"UDP port {Port}" : Link.Target);
+    internal string DisplayName => Name ?? Target;
+
+    // The name of what the reader receives from.
+    internal string Target => Source?.Name ?? (Transport == TransportKind.Udp ? $"UDP port {Port}" : Link.Target);
 
     internal FrameFormat Format => new(RotationOrder, SkeletonVariant);
 
@@ -146,6 +159,16 @@ public sealed partial class NeuronReaderOptions
         var copy = (NeuronReaderOptions)MemberwiseClone();
         copy.Reconnect = Reconnect.Copy();
         copy.AllowedSenders = AllowedSenders?.ToArray() ?? [];
+        if (Source is not null)
+            copy.ForgetNetwork();
+
+        return copy;
+    }
+
+    internal NeuronReaderOptions CopyFor(ByteSource source)
+    {
+        var copy = (NeuronReaderOptions)MemberwiseClone();
+        copy.Source = source;
         return copy;
     }
 
@@ -154,12 +177,19 @@ public sealed partial class NeuronReaderOptions
     {
         NeuronReaderOptions copy = Copy();
         copy.Name ??= player.Target;
-        copy.Transport = TransportKind.Tcp;
+        copy.Source = null;
         copy.CommandPort = null;
-        copy.CalculationPort = null;
-        copy.AllowedSenders = [];
+        copy.ForgetNetwork();
         copy.Reconnect = new ReconnectPolicy { InitialDelay = TimeSpan.Zero, MaxDelay = TimeSpan.Zero };
         return copy;
+    }
+
+    // For a source of bytes, and for a playback.
+    private void ForgetNetwork()
+    {
+        Transport = TransportKind.Tcp;
+        CalculationPort = null;
+        AllowedSenders = [];
     }
 
     internal string? FindFault()

@@ -68,6 +68,13 @@ sinks.SetAction(result => Sinks.Run(result.GetValue(port), result.GetValue(Conne
 RootCommand root = Root(
     Throughput(), latency, streams, avatars, consumers, broadcast, decode, bvh, kinematics, retarget, recording, playback, Window(), native, micro,
     Flood(), Pace(), sinks);
+#if PIPES
+var connections = new Option<int>("--connections") { Description = "Connections of the paced case.", DefaultValueFactory = _ => 100 };
+var pipe = new Command("pipe", "Streams and pipes as sources, against the connection itself.") { Frames, Runs, Writes, connections, Seconds, Json };
+pipe.SetAction((result, _) => Pipes.RunAsync(
+    result.GetValue(Frames), result.GetValue(Runs), result.GetValue(Writes)!, result.GetValue(connections), result.GetValue(Seconds), Open(result)));
+root.Add(pipe);
+#endif
 #if UNITY_PACKAGE
 var unity = new Command("unity", "Cost of a rendered frame of the Unity package in the tests' stand-in of the engine.") { Runs, Json };
 unity.SetAction((result, _) => UnityFrames.RunAsync(result.GetValue(Runs), Open(result)));

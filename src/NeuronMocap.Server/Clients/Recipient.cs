@@ -1,19 +1,11 @@
 using System.Net;
-using System.Net.Sockets;
 using NeuronMocap.Server.Broadcasting;
 
 namespace NeuronMocap.Server.Clients;
 
-/// <summary>One recipient of the broadcast: its socket, its feed, and the thread that writes the feed to the socket.</summary>
-/// <remarks>
-/// Writes block. A recipient that does not read blocks only its own thread. Closing the socket ends the thread at any point.
-/// </remarks>
+/// <summary>One recipient of the broadcast: its feed and its counters.</summary>
 internal abstract class Recipient : IDisposable
 {
-    // A large buffer needs fewer system calls when a client is behind. It also limits the bytes in flight when a client vanishes.
-    private const int BufferSize = 128 * 1024;
-
-    private readonly Action<Recipient, Exception?> _ended;
     private Exception? _sourceError;
     private long _framesSent;
     private long _calculationFramesSent;
@@ -21,25 +13,19 @@ internal abstract class Recipient : IDisposable
     private long _bytesSent;
     private long _repliesSent;
 
-    // ended is called once, on the recipient's thread, with the exception of a source if there was one.
-    protected Recipient(Socket socket, EndPoint? remoteEndPoint, BroadcastStream stream, FrameFeed feed, Action<Recipient, Exception?> ended, FaultReport report)
+    protected Recipient(BroadcastStream stream, FrameFeed feed, EndPoint? remoteEndPoint = null)
     {
-        Socket = socket;
-        RemoteEndPoint = remoteEndPoint;
         Stream = stream;
         Feed = feed;
-        _ended = ended;
-        Worker = new Worker("NeuronMocap recipient", Run, report);
+        RemoteEndPoint = remoteEndPoint;
     }
 
     public EndPoint? RemoteEndPoint { get; }
 
     public BroadcastStream Stream { get; }
 
-    public Worker Worker { get; }
-
-    // Whether every byte, up to the last frame, was handed to the network.
-    public bool HadAll { get; private set; }
+    // Whether every byte, up to the last frame, was handed over.
+    public bool HadAll { get; protected set; }
 
     // Thread-safe.
     public RecipientCounters Counters => new(
@@ -54,31 +40,17 @@ internal abstract class Recipient : IDisposable
     // The requests of the recipient. Null if it cannot send requests.
     protected DataCommandQueue? Commands { get; init; }
 
-    protected Socket Socket { get; }
-
     protected BroadcastContent Plan => Stream.Content;
 
     protected FrameFeed Feed { get; }
 
-    // Room for at least one frame.
-    protected int ReadSize => Math.Max(BufferSize, Plan.MaxFrameSize);
+    // The exception of a source that ended the recipient; null if there was none.
+    protected Exception? SourceError => _sourceError;
 
-    public virtual void Dispose() => Socket.Dispose();
+    // Called under the broadcaster's lock when the broadcast ends.
+    public abstract void Stop();
 
-    // For a recipient whose thread was never started and therefore does not close the feed.
-    public void Discard()
-    {
-        Dispose();
-        Feed.Close();
-    }
-
-    // Sends until the feed ends or the network fails. Returns true when everything was sent.
-    protected abstract bool SendAll();
-
-    // Called when everything was sent, before the socket is closed.
-    protected virtual void Finish()
-    {
-    }
+    public abstract void Dispose();
 
     // An exception of a source ends the broadcast. A lack of memory may hit this recipient's thread by chance, so it ends only this recipient.
     protected FrameBatch ReadFeed(Span<byte> destination)
@@ -105,7 +77,7 @@ internal abstract class Recipient : IDisposable
 
     protected void CountBytes(int bytes) => Interlocked.Add(ref _bytesSent, bytes);
 
-    // Sets the number of packets handed to the network so far.
+    // Sets the number of packets handed over so far.
     protected void SetFrames(long motion, long calculation)
     {
         Interlocked.Exchange(ref _framesSent, motion);
@@ -115,29 +87,4 @@ internal abstract class Recipient : IDisposable
     protected void CountReplies(int replies) => Interlocked.Add(ref _repliesSent, replies);
 
     protected void CountLostPacket() => Interlocked.Increment(ref _packetsLost);
-
-    private void Run()
-    {
-        Exception? error;
-        try
-        {
-            HadAll = SendAll();
-            if (HadAll)
-                Finish();
-            error = null;
-        }
-        catch (Exception exception) when (exception is SocketException or ObjectDisposedException or OutOfMemoryException)
-        {
-            // The client disconnected or the broadcaster closed the socket. Both are ordinary ends of a connection. Or memory ran out.
-            error = _sourceError;
-        }
-        catch (Exception exception)
-        {
-            error = exception;
-        }
-
-        Dispose();
-        Feed.Close();
-        _ended(this, error);
-    }
 }

@@ -11,7 +11,7 @@ namespace NeuronMocap.Server.Clients;
 /// of a frame. Everything that clients send is read. Closing a socket with unread bytes would reset the connection and discard the client's last
 /// frames.
 /// </remarks>
-internal sealed class TcpClientSession : Recipient
+internal sealed class TcpClientSession : SocketRecipient
 {
     // Limits the data that the system buffers for a client that does not read. The default is megabytes, which hold a minute of old frames.
     private const int SendBufferSize = 256 * 1024;

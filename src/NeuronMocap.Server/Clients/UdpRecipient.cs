@@ -9,7 +9,7 @@ namespace NeuronMocap.Server.Clients;
 /// A packet or a line of text larger than the fragment size is cut, as Axis Neuron on macOS does: 1024 bytes, then the rest (protocol.md section
 /// 4.2).
 /// </remarks>
-internal sealed class UdpRecipient : Recipient
+internal sealed class UdpRecipient : SocketRecipient
 {
     // Maximum size of a datagram over IPv4.
     private const int MaxDatagram = 65_507;

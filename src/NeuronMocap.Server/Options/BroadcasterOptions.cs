@@ -39,7 +39,10 @@ public sealed partial class BroadcasterOptions
     public IReadOnlyList<string> AvatarNames { get; set; } = [];
 
     /// <summary>TCP port to listen on, 0 to 65535. Null does not listen. Default: 7001, as in Axis Neuron.</summary>
-    /// <remarks>0 takes any free port. Read it from <see cref="Broadcaster.LocalEndPoint"/>.</remarks>
+    /// <remarks>
+    /// 0 takes any free port. Read it from <see cref="Broadcaster.LocalEndPoint"/>. Without a port, the broadcast goes to
+    /// <see cref="UdpDestinations"/> and to readers of <see cref="Broadcaster.CreateLocalSource"/>.
+    /// </remarks>
     public int? Port { get; set; } = ProtocolConstants.DefaultPort;
 
     /// <summary>
@@ -97,9 +100,10 @@ public sealed partial class BroadcasterOptions
     /// <summary>Number of frames to send for each avatar, at least 1. Null sends all frames. Default: null.</summary>
     public long? MaxFrames { get; set; }
 
-    /// <summary>Whether the broadcast waits for the first TCP client, which then gets frame 0 first. Default: false.</summary>
+    /// <summary>Whether the broadcast waits for the first client, which then gets frame 0 first. Default: false.</summary>
     /// <remarks>
-    /// Needs <see cref="Port"/>. With a <see cref="CalculationPort"/>, the broadcast waits until each of the two ports has had a client.
+    /// A client is a TCP client, or a reader of <see cref="Broadcaster.CreateLocalSource"/>. With a <see cref="CalculationPort"/>, the broadcast waits
+    /// until each of the two ports has had a client.
     /// </remarks>
     public bool WaitForClient { get; set; }
 

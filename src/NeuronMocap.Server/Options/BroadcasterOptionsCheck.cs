@@ -123,16 +123,6 @@ internal static class BroadcasterOptionsCheck
             nameof(options.UdpDestinations),
             "must have ports from 1 to 65535",
             "a list with port 0");
-        Require(
-            options.Port is not null || options.UdpDestinations.Count > 0,
-            nameof(options.Port),
-            "may be null only if UdpDestinations has an entry",
-            "null");
-        Require(
-            options.Port is not null || !options.WaitForClient,
-            nameof(options.WaitForClient),
-            "needs a Port that TCP clients can connect to",
-            true);
         Require(options.Fragment is null or (>= 1 and <= 1_048_576), nameof(options.Fragment), "must be 1 to 1,048,576 bytes", options.Fragment);
     }
 

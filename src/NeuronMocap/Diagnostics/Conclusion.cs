@@ -1,10 +1,10 @@
 namespace NeuronMocap.Diagnostics;
 
-// The place that frames come from.
-internal readonly record struct StreamEndpoint(TransportKind Transport, string Host, int Port)
+// The place that frames come from. Source is the name of a source, which then replaces the port.
+internal readonly record struct StreamEndpoint(TransportKind Transport, string Host, int Port, string? Source = null)
 {
     public override string ToString() =>
-        Transport == TransportKind.Udp ? $"UDP port {Port} of this computer" : $"TCP port {Port} of {Host}";
+        Source ?? (Transport == TransportKind.Udp ? $"UDP port {Port} of this computer" : $"TCP port {Port} of {Host}");
 }
 
 // The result of an examination. Endpoint: where frames of the wanted kind can be received now, if anywhere.

@@ -55,7 +55,7 @@ internal static class StreamExamination
         };
         string text = $"Frames arrive on {endpoint}, but they are {StreamPhrases.KindsOf(sample)}; none are {StreamPhrases.NameOf(context.Expected)}.";
         string advice = ServerSettings.Enable(context.Expected);
-        if (context.Expected == PacketKind.Motion)
+        if (context.Expected == PacketKind.Motion && endpoint.Source is null)
             advice += $" To receive this calculation data in addition to motion, set CalculationPort to {endpoint.Port}.";
 
         return new Conclusion([new ExplainedVerdict(verdict, text, advice)], sample);

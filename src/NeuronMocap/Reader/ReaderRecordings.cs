@@ -22,7 +22,7 @@ internal sealed class ReaderRecordings
         _stopTimeout = options.StopTimeout / 2;
         _metadata = new RecordingMetadata()
             .With(RecordingMetadata.ProgramKey, DescribeProgram())
-            .With(RecordingMetadata.ServerKey, options.Transport == TransportKind.Udp ? $"UDP port {options.Port}" : options.Link.Target)
+            .With(RecordingMetadata.ServerKey, options.Target)
             .With(RecordingMetadata.TransportKey, options.Transport.ToString())
             .With(RecordingMetadata.MaxValuesKey, options.MaxValues.ToString(CultureInfo.InvariantCulture));
         Learn(RecordingMetadata.ReaderKey, name);

@@ -26,8 +26,12 @@ internal static class ConnectionMessages
         ? $"Receiving from {target} failed: this computer has too little free memory."
         : $"Receiving from {target} failed because of an error in this library ({exception.GetType()}). Please report it.";
 
-    // The file of a playback may be missing or damaged; the exception's message says so.
-    public static string PlaybackFailed(string target, Exception exception) => $"Receiving from {target} failed: {exception.Message}";
+    // For what the application opens: a file may be damaged, a stream may fail. The exception's message says so.
+    public static string ReceivingFailed(string target, Exception exception) => $"Receiving from {target} failed: {exception.Message}";
+
+    public static string NotOpened(string target, Exception exception) => $"Opening {target} failed: {exception.Message}";
+
+    public static string EndOfBytes(string target) => $"Receiving from {target} has ended: there are no more bytes.";
 
     public static string NoValues(string target) =>
         $"Packets arrive from {target}, but none of them contains a frame. In Axis Neuron, connect the suit or play a take.";
@@ -35,6 +39,10 @@ internal static class ConnectionMessages
     public static string NoFrames(string target, TimeSpan silence) =>
         $"Connected to {target}, but nothing has arrived for {silence.TotalSeconds:0.#} s. In Axis Neuron, connect the suit or play a take. "
         + "Check that broadcasting of BVH or calculation data is on, and that this is its port, not the command port.";
+
+    public static string NoBytes(string target, TimeSpan silence) =>
+        $"Nothing has arrived from {target} for {silence.TotalSeconds:0.#} s. Check that the program that writes to it runs, and that it sends BVH or "
+        + "calculation data.";
 
     public static string NoRecordedFrames(string target, TimeSpan silence) =>
         $"The {target} has had no frame for {silence.TotalSeconds:0.#} s: nothing arrived while it was recorded.";

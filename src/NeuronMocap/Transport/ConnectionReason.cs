@@ -24,7 +24,7 @@ public enum ConnectionReason
     /// <summary>The server reset the connection.</summary>
     Reset,
 
-    /// <summary>The server closed the connection normally.</summary>
+    /// <summary>The server closed the connection normally, or the stream of a source has ended.</summary>
     ClosedByPeer,
 
     /// <summary>The played recording has ended, or starts again.</summary>
@@ -71,6 +71,6 @@ public enum ConnectionReason
     /// </summary>
     CalculationUnavailable,
 
-    /// <summary>Another network error; the message contains the system's text.</summary>
+    /// <summary>Another error of the network or of a source; the message contains its text.</summary>
     NetworkError,
 }

@@ -5,8 +5,14 @@ namespace NeuronMocap.Transport;
 
 // Tracks what the current link delivers, and turns it into the states Receiving and Silent. The receive loop writes, a timer reads. The fields are
 // independent: a check that sees an older value only reaches its conclusion one period later. isHeld: whether a playback is paused.
+// explainSilence: the message for a target that has sent nothing for this time, if it is neither a TCP server nor a UDP port.
 internal sealed class LinkActivity(
-    StatusPublisher status, TimeSpan silence, SenderFilter? udpSenders, Func<StreamDescription>? describe = null, Func<bool>? isHeld = null)
+    StatusPublisher status,
+    TimeSpan silence,
+    SenderFilter? udpSenders,
+    Func<StreamDescription>? describe = null,
+    Func<bool>? isHeld = null,
+    Func<string, TimeSpan, string>? explainSilence = null)
 {
     // Limits status changes for a server that changes its format with every frame.
     private static readonly long DescriptionPeriod = Stopwatch.Frequency;
@@ -184,10 +190,9 @@ internal sealed class LinkActivity(
     {
         (ConnectionReason.UnknownFormat, _) => ConnectionMessages.UnknownFormat(_target, DescribeSkipped()),
         (ConnectionReason.SenderNotAllowed, { } senders) => ConnectionMessages.SenderNotAllowed(_target, senders.RefusedSenders),
-        _ when isHeld is not null => ConnectionMessages.NoRecordedFrames(_target, silence),
-        _ when _hasOtherPackets => ConnectionMessages.NoValues(_target),
+        _ when isHeld is null && _hasOtherPackets => ConnectionMessages.NoValues(_target),
         (_, { } senders) => ConnectionMessages.NoDatagrams(_target, silence, senders.RefusedDatagrams),
-        _ => ConnectionMessages.NoFrames(_target, silence),
+        _ => (explainSilence ?? ConnectionMessages.NoFrames)(_target, silence),
     };
 
     private string DescribeSkipped() => FormatGuess.Of(_skipped.AsSpan(0, _skippedLength), _skipReason).Description;

@@ -1,6 +1,7 @@
 using System.Diagnostics;
 using System.Net;
 using System.Net.Sockets;
+using NeuronMocap.Server;
 using NeuronMocap.Tests.Network;
 using NeuronMocap.Transport;
 
@@ -134,6 +135,49 @@ public sealed partial class AllocationTests
             return () => Interlocked.Exchange(ref frames, 0);
         },
         frame: TestPackets.Studio(1));
+
+    [Fact]
+    public Task A_stream_with_a_thread_costs_no_allocation_per_frame() =>
+        MeasureStreamAsync(static stream => new NeuronReader(stream, SourceReaderTests.Options(ReceiveThread.Dedicated)));
+
+    [Fact]
+    public void A_broadcast_in_this_process_costs_no_allocation_per_frame()
+    {
+        using var broadcaster = new Broadcaster(new BroadcasterOptions { Sources = [new SyntheticSource()], Port = null, FrameRate = 2000 });
+        using var reader = new NeuronReader(SourceReaderTests.Options(source: broadcaster.CreateLocalSource()));
+        Func<int> take = CountMotion(reader);
+        broadcaster.Start();
+        reader.Start();
+
+        // The broadcaster sends by itself, so what is received counts as sent.
+        int received = 0;
+        AssertNothingAllocated(
+            () =>
+            {
+                Thread.Yield();
+                return received = take();
+            },
+            () => Interlocked.Exchange(ref received, 0));
+    }
+
+    private static async Task MeasureStreamAsync(Func<Stream, NeuronReader> create)
+    {
+        using var server = new TestServer();
+        var socket = new Socket(AddressFamily.InterNetwork, SocketType.Stream, ProtocolType.Tcp);
+        socket.Connect(IPAddress.Loopback, server.Port);
+        using NeuronReader reader = create(new NetworkStream(socket, ownsSocket: true));
+        Func<int> take = CountMotion(reader);
+        reader.Start();
+        using TestConnection connection = await server.AcceptAsync();
+        AssertNothingAllocated(
+            () =>
+            {
+                connection.Socket.Send(Frame, 0, 700, SocketFlags.None);
+                connection.Socket.Send(Frame, 700, Frame.Length - 700, SocketFlags.None);
+                return 1;
+            },
+            take);
+    }
 
     private static Func<int> CountMotion(NeuronReader reader)
     {

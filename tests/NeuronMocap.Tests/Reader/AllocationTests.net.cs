@@ -1,4 +1,5 @@
 using System.Diagnostics.Metrics;
+using System.IO.Pipelines;
 using NeuronMocap.Transport;
 
 namespace NeuronMocap.Tests.Reader;
@@ -16,6 +17,14 @@ public sealed partial class AllocationTests
             return () => queue.Pump(handler);
         },
         static () => new PooledTcpReceiver());
+
+    [Fact]
+    public Task A_stream_without_a_thread_costs_no_allocation_per_frame() =>
+        MeasureStreamAsync(static stream => new NeuronReader(stream, SourceReaderTests.Options(ReceiveThread.Pool)));
+
+    [Fact]
+    public Task A_pipe_costs_no_allocation_per_frame() =>
+        MeasureStreamAsync(static stream => new NeuronReader(PipeReader.Create(stream), SourceReaderTests.Options()));
 
     [Fact]
     public async Task Metrics_that_are_listened_to_cost_no_allocation_per_frame()

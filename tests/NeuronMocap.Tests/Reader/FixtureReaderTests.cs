@@ -5,8 +5,8 @@ using NeuronMocap.Tests.Network;
 
 namespace NeuronMocap.Tests.Reader;
 
-// The streams of a foreign encoder over real sockets, up to the frames that an application sees.
-public class FixtureReaderTests
+// The streams of a foreign encoder over real sockets and from sources, up to the frames that an application sees.
+public partial class FixtureReaderTests
 {
     public static TheoryData<string> Names => WrittenStreams.Names;
 
@@ -30,6 +30,18 @@ public class FixtureReaderTests
     [MemberData(nameof(Names))]
     public async Task Over_udp_in_datagrams_of_1024(string name) => await OverUdpAsync(name, 1024);
 
+    [Theory]
+    [MemberData(nameof(Names))]
+    public async Task From_a_stream(string name)
+    {
+        foreach (int pieceSize in (int[])[1, 63, 777, int.MaxValue])
+        {
+            StreamFixture fixture = Load(name);
+            FedStream stream = new FedStream().Feed([.. fixture.Bytes.Chunk(pieceSize)]).End();
+            await FromAsync(fixture, new NeuronReader(stream, SourceReaderTests.Options(ReceiveThread.Dedicated)));
+        }
+    }
+
     /// <summary>Loads a stream. Derived classes load another encoder's streams.</summary>
     internal virtual StreamFixture Load(string name) => StreamFixture.Load(name);
 
@@ -46,6 +58,18 @@ public class FixtureReaderTests
         await reader.Completion.Soon();
         AssertFrames(fixture, queue);
         Assert.Equal(fixture.Bytes.Length, reader.GetStatistics().BytesReceived);
+    }
+
+    private static async Task FromAsync(StreamFixture fixture, NeuronReader reader)
+    {
+        await using (reader)
+        {
+            using FrameQueue queue = reader.OpenQueue();
+            reader.Start();
+            await reader.Completion.Soon();
+            AssertFrames(fixture, queue);
+            Assert.Equal(fixture.Bytes.Length, reader.GetStatistics().BytesReceived);
+        }
     }
 
     private async Task OverUdpAsync(string name, int datagramSize)

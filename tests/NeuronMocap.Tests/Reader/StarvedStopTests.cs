@@ -59,6 +59,19 @@ public sealed partial class StarvedStopTests : IDisposable
     public Task While_connected(int bytes) => WhileConnectedAsync(bytes, () => new BlockingTcpReceiver());
 
     [Theory]
+    [InlineData(ReceiveThread.Auto)]
+    [InlineData(ReceiveThread.Dedicated)]
+    public async Task While_a_stream_waits(ReceiveThread thread)
+    {
+        using var stream = new FedStream();
+        var reader = new NeuronReader(stream, SourceReaderTests.Options(thread));
+        reader.Start();
+        await Limits.UntilAsync(() => stream.Waiting > 0);
+        await StopAsync(reader);
+        Assert.True(stream.IsDisposed);
+    }
+
+    [Theory]
     [InlineData(false)]
     [InlineData(true)]
     public async Task While_receiving_UDP(bool receives)

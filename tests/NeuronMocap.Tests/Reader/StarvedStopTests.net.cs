@@ -1,3 +1,4 @@
+using System.IO.Pipelines;
 using NeuronMocap.Transport;
 
 namespace NeuronMocap.Tests.Reader;
@@ -5,6 +6,14 @@ namespace NeuronMocap.Tests.Reader;
 // Waiting without a thread, which only this target supports.
 public sealed partial class StarvedStopTests
 {
+    [Fact]
+    public async Task While_a_pipe_waits()
+    {
+        var reader = new NeuronReader(new Pipe().Reader, SourceReaderTests.Options());
+        await reader.StartAsync().Soon();
+        await StopAsync(reader);
+    }
+
     [Fact]
     public Task While_connecting_without_a_thread() => WhileConnectingAsync(() => new PooledTcpReceiver());
 

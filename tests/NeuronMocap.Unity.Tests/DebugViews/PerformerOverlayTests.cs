@@ -25,7 +25,9 @@ public sealed class PerformerOverlayTests : IDisposable
         Assert.Matches(@"^Char00 \(0\): \d+\.\d /s, delay \d+\.\d ms, jitter \d+\.\d ms, \d+ late$", labels[0]);
         Assert.StartsWith("Char01 (1): ", labels[1], StringComparison.Ordinal);
         Assert.True(source.Performers[0].Latency >= 0.045f, $"{source.Performers[0].Latency}");
-        Assert.True(source.Performers[0].NeededDelay >= 1 / 70f, $"{source.Performers[0].NeededDelay}");
+
+        // On a busy machine, the first frames can arrive together.
+        _loop.RunUntil(() => source.Performers[0].NeededDelay >= 1 / 70f);
     }
 
     [Fact]

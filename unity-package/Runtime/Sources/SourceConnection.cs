@@ -68,16 +68,6 @@ namespace NeuronMocap.Unity
             }
         }
 
-        // Loopback port of the broadcaster, or 0.
-        public int LocalPort
-        {
-            get
-            {
-                lock (_gate)
-                    return _broadcaster?.LocalEndPoint?.Port ?? 0;
-            }
-        }
-
         // Main thread, in each Update. Returns the time of this rendered frame, on the clock that stamps the frames of the stream.
         public long Advance()
         {
@@ -173,8 +163,7 @@ namespace NeuronMocap.Unity
             };
             if (broadcaster != null)
             {
-                options.Port = broadcaster.LocalEndPoint!.Port;
-                options.Name = Settings.Target;
+                options.Source = broadcaster.CreateLocalSource(Settings.Target);
             }
             else if (Settings.Kind == SourceKind.Network)
             {

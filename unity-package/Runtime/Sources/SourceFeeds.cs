@@ -8,8 +8,8 @@ using NeuronMocap.Server;
 
 namespace NeuronMocap.Unity
 {
-    // Creates what a connection receives from, for all kinds except the network: a player of a file, or a broadcaster on a loopback port chosen by
-    // the system. Simulated data thus takes the same path as data of a suit. Any thread; reading a file may take long.
+    // Creates what a connection receives from, for all kinds except the network: a player of a file, or a broadcaster without a port. Simulated data
+    // takes the same path as data of a suit, but no socket. Any thread; reading a file may take long.
     internal static class SourceFeeds
     {
         public static Broadcaster CreateSimulator(SourceSettings settings)
@@ -47,7 +47,7 @@ namespace NeuronMocap.Unity
         // With displacement, so that the stream carries the performer's sizes.
         private static Broadcaster Start(BroadcasterOptions options)
         {
-            options.Port = 0;
+            options.Port = null;
             options.IncludeDisplacement = true;
             var broadcaster = new Broadcaster(options);
             try

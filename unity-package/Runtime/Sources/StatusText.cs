@@ -37,8 +37,6 @@ namespace NeuronMocap.Unity
                     return status.Reason == ConnectionReason.EndOfRecording && status.State == ConnectionState.Stopped
                         ? $"The {settings.Target} has ended. Switch Loop on to repeat it."
                         : WithFields(status.Message).Replace($"motion {settings.Name}", settings.Target);
-                case SourceKind.Simulator:
-                    return Capitalise(WithFields(status.Message).Replace($"127.0.0.1:{connection.LocalPort}", settings.Target));
                 default:
                     return WithFields(status.Message);
             }
@@ -71,7 +69,5 @@ namespace NeuronMocap.Unity
 
             return message;
         }
-
-        private static string Capitalise(string text) => text.Length == 0 ? text : char.ToUpperInvariant(text[0]) + text.Substring(1);
     }
 }

@@ -54,7 +54,7 @@ internal sealed class PlaybackFile(RecordedEventSource source)
         }
         catch (Exception exception)
         {
-            end = new LinkEnd(ConnectionReason.NetworkError, ConnectionMessages.PlaybackFailed(Target, exception)) { IsFinal = true };
+            end = new LinkEnd(ConnectionReason.NetworkError, ConnectionMessages.ReceivingFailed(Target, exception)) { IsFinal = true };
         }
 
         lock (_lock)

@@ -1,0 +1,48 @@
+using NeuronMocap.Transport;
+
+namespace NeuronMocap;
+
+/// <summary>
+/// Opens streams of bytes for a reader, in place of a network connection: for example a serial port, a tunnel, or the output of another program. Derive
+/// from this class, and set <see cref="NeuronReaderOptions.Source"/>.
+/// </summary>
+/// <remarks>
+/// The bytes are those that a server sends over TCP. A reader opens the source when it starts, and again after each end or failure, as
+/// <see cref="NeuronReaderOptions.Reconnect"/> says. Several readers may use one source at the same time; each opens its own stream.
+/// </remarks>
+public abstract class ByteSource
+{
+    /// <summary>
+    /// Name of the source in status messages, metrics and logs, such as "serial port COM3". The default is "the stream". It must not change.
+    /// </summary>
+    public virtual string Name => "the stream";
+
+    // How the streams of this source are read best.
+    internal virtual ReceiveThread PreferredThread => ReceiveThread.Pool;
+
+    // Whether another attempt can follow the end of the bytes.
+    internal virtual bool CanReopen => true;
+
+    // Called in place of the first opening if the reader ends before it begins.
+    internal virtual void Discard()
+    {
+    }
+
+    /// <summary>
+    /// Opens a new stream. The reader calls this method on a thread of its own, so it may block. The reader disposes the stream when its bytes end, when
+    /// reading fails, and when the reader stops.
+    /// </summary>
+    /// <remarks>
+    /// An exception ends the attempt, and its message becomes part of the reader's status. To choose the reason too, throw a
+    /// <see cref="NeuronConnectionException"/>.
+    /// </remarks>
+    /// <param name="cancellationToken">Cancelled when the reader stops. A stop does not wait for this method.</param>
+    /// <returns>A readable stream. Its bytes do not continue those of an earlier stream.</returns>
+    public abstract ValueTask<Stream> OpenAsync(CancellationToken cancellationToken);
+
+    internal virtual async ValueTask<ByteReceiver> OpenReceiverAsync(ReceiveThread wanted, CancellationToken cancellationToken)
+    {
+        Stream stream = await OpenAsync(cancellationToken).ConfigureAwait(false) ?? throw new InvalidOperationException("The source returned no stream.");
+        return ByteReceivers.Create(stream, leaveOpen: false, wanted == ReceiveThread.Auto ? PreferredThread : wanted);
+    }
+}
