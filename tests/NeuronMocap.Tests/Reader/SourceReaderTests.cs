@@ -48,7 +48,7 @@ public sealed class SourceReaderTests
         Assert.Equal(
             (ConnectionState.Stopped, ConnectionReason.ClosedByPeer, "Receiving from the stream has ended: there are no more bytes."),
             (reader.Status.State, reader.Status.Reason, reader.Status.Message));
-        Assert.True(stream.IsDisposed);
+        await Limits.UntilAsync(() => stream.IsDisposed);
     }
 
     [Fact]

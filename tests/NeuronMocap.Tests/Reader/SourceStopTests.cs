@@ -34,7 +34,7 @@ public sealed class SourceStopTests : IDisposable
             await Limits.UntilAsync(() => stream.Waiting > 0 && called == bytes / 1480);
             reader.Dispose();
             await AssertStoppedAsync(reader);
-            Assert.True(stream.IsDisposed);
+            await Limits.UntilAsync(() => stream.IsDisposed);
 
             // A read that only ends now delivers nothing.
             stream.Feed(TestPackets.Motion(3)).End();
