@@ -85,6 +85,7 @@ internal static class NeuronMeter
             entry => reader.Measure(figures.GetSkipped(entry.Reason), new KeyValuePair<string, object?>(MeterTags.Reason, entry.Tag))));
         AddCounter("refused", "{datagram}", "Datagrams of senders that are not allowed.", Total(static total => total.RefusedDatagrams));
         AddCounter("dropped", "{frame}", "Frames that were dropped because a queue was full.", PerConsumer(static consumer => consumer.Dropped));
+        AddCounter("frames.skipped", "{frame}", "Frames that a consumer left out because of its rate.", PerConsumer(static consumer => consumer.Skipped));
         AddCounter("restarts", "{restart}", "How often the server restarted its frame count.", Total(static total => total.Restarts));
         AddCounter("reconnects", "{connection}", "Connections made after the first.", Total(static total => total.Reconnects));
         AddCounter("failures", "{exception}", "Exceptions of the application's handlers.", Total(static total => total.CallbackFailures));

@@ -64,6 +64,29 @@ public sealed class ReaderMetricsTests
     }
 
     [Fact]
+    public async Task Skipped_frames_are_counted_by_consumer_and_are_not_lost()
+    {
+        using var server = new TestServer();
+        using var reader = Reader(server, "skips");
+        using var log = new MetricsLog("skips");
+        using LatestFrames latest = reader.OpenLatest(new LatestFramesOptions { EveryNth = 5 });
+        reader.OpenQueue(new FrameQueueOptions { Name = "closed", EveryNth = 2 }).Dispose();
+        using FrameQueue queue = reader.OpenQueue(new FrameQueueOptions { Name = "thin", EveryNth = 2 });
+        reader.Start();
+        using TestConnection connection = await server.AcceptAsync();
+        await connection.SendAsync(TestPackets.Motions(1, 10));
+        await reader.WaitForFramesAsync(10);
+
+        string[] measured = log.Collect();
+        Assert.Contains("neuron.reader.frames.skipped neuron.consumer.name=thin: 5", measured);
+        Assert.Contains("neuron.reader.frames.skipped neuron.consumer.name=latest: 8", measured);
+        Assert.Contains("neuron.reader.frames.skipped neuron.consumer.name=closed: 0", measured);
+        Assert.Contains("neuron.reader.dropped neuron.consumer.name=thin: 0", measured);
+        ReaderStatistics statistics = reader.GetStatistics();
+        Assert.Equal((13, 0, 0), (statistics.Skipped, statistics.Dropped, statistics.Lost));
+    }
+
+    [Fact]
     public async Task Times_are_recorded_while_observed()
     {
         using var server = new TestServer();
@@ -93,7 +116,7 @@ public sealed class ReaderMetricsTests
     {
         using var reader = new NeuronReader("127.0.0.1");
         using var log = new MetricsLog("none");
-        Assert.Equal(15, log.Instruments.Count);
+        Assert.Equal(16, log.Instruments.Count);
         Assert.All(log.Instruments, instrument =>
         {
             Assert.Matches("^neuron\\.reader(\\.[a-z]+)+$", instrument.Name);
