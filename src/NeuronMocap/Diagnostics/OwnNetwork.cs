@@ -1,6 +1,5 @@
 using System.Net;
 using System.Net.NetworkInformation;
-using System.Net.Sockets;
 
 namespace NeuronMocap.Diagnostics;
 
@@ -48,7 +47,7 @@ internal readonly record struct OwnNetwork(string Name, IPAddress? Address, int 
 
     public static bool IsVpnNamed(string name, string description) =>
         VpnNames.Any(word => name.StartsWith(word, StringComparison.OrdinalIgnoreCase))
-        || VpnDescriptions.Any(word => description.IndexOf(word, StringComparison.OrdinalIgnoreCase) >= 0);
+        || VpnDescriptions.Any(word => description.Contains(word, StringComparison.OrdinalIgnoreCase));
 
     private static IEnumerable<OwnNetwork> Read(NetworkInterface network)
     {
@@ -56,7 +55,7 @@ internal readonly record struct OwnNetwork(string Name, IPAddress? Address, int 
         bool isUp = network.OperationalStatus is OperationalStatus.Up or OperationalStatus.Unknown;
         bool isVpn = network.NetworkInterfaceType == NetworkInterfaceType.Ppp || IsVpnNamed(network.Name, network.Description);
         OwnNetwork[] addresses = isUp
-            ? [.. network.GetIPProperties().UnicastAddresses.Where(static own => !own.Address.IsIPv6LinkLocal || own.Address.AddressFamily == AddressFamily.InterNetwork)
+            ? [.. network.GetIPProperties().UnicastAddresses.Where(static own => !own.Address.IsIPv6LinkLocal)
                 .Select(own => new OwnNetwork(network.Name, own.Address, own.PrefixLength, isUp, isVpn))]
             : [];
         return addresses.Length > 0 ? addresses : [new OwnNetwork(network.Name, Address: null, PrefixLength: 0, isUp, isVpn)];

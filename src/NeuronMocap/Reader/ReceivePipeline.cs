@@ -65,6 +65,8 @@ internal sealed class ReceivePipeline : IPacketReceiver, ILinkListener, IReaderS
 
     public ConnectionState State => _status.State;
 
+    public int? ReceiveBufferSize => _status.Current.ReceiveBufferSize;
+
     public long UnsettledLoss => _counters.Trackers.Sum(static tracker => tracker.Index.Unsettled);
 
     public StreamTap Tap => _recordings.Tap;

@@ -15,7 +15,7 @@ internal static class UdpSocket
 
     // The setting of the system that limits the buffer, with a value that suffices; null if the system has none. macOS subtracts its own overhead.
     public static readonly string? BufferSetting = IsLinux ? FormattableString.Invariant($"net.core.rmem_max={WantedBuffer}")
-        : RuntimeInformation.IsOSPlatform(OSPlatform.OSX) ? FormattableString.Invariant($"kern.ipc.maxsockbuf={2 * WantedBuffer}")
+        : OperatingSystem.IsMacOS() ? FormattableString.Invariant($"kern.ipc.maxsockbuf={2 * WantedBuffer}")
         : null;
 
     // Throws SocketException.

@@ -1,5 +1,6 @@
 using System.Diagnostics;
 using System.Diagnostics.Metrics;
+using System.Net;
 using System.Runtime.CompilerServices;
 using NeuronMocap.Delivery;
 using NeuronMocap.Telemetry;
@@ -87,6 +88,19 @@ public sealed class ReaderMetricsTests
     }
 
     [Fact]
+    public async Task The_granted_receive_buffer_is_told_beside_the_requested_one()
+    {
+        using var reader = new NeuronReader(new NeuronReaderOptions { Name = "buffer", Transport = TransportKind.Udp, LocalAddress = IPAddress.Loopback, Port = 0 });
+        using var log = new MetricsLog("buffer");
+        Assert.DoesNotContain(log.Collect(), static measured => measured.Contains("receive.buffer", StringComparison.Ordinal));
+        await reader.StartAsync().Soon();
+        string[] measured = log.Collect();
+        Assert.Contains($"neuron.reader.receive.buffer neuron.buffer.size=granted: {reader.Status.ReceiveBufferSize}", measured);
+        Assert.Contains("neuron.reader.receive.buffer neuron.buffer.size=requested: 4194304", measured);
+        Assert.Equal(4_194_304, reader.Status.RequestedReceiveBufferSize);
+    }
+
+    [Fact]
     public async Task Times_are_recorded_while_observed()
     {
         using var server = new TestServer();
@@ -116,7 +130,7 @@ public sealed class ReaderMetricsTests
     {
         using var reader = new NeuronReader("127.0.0.1");
         using var log = new MetricsLog("none");
-        Assert.Equal(16, log.Instruments.Count);
+        Assert.Equal(17, log.Instruments.Count);
         Assert.All(log.Instruments, instrument =>
         {
             Assert.Matches("^neuron\\.reader(\\.[a-z]+)+$", instrument.Name);
