@@ -49,9 +49,30 @@ public sealed partial class NeuronReader
         return _pipeline.OpenQueue(capacity, name);
     }
 
+    /// <summary>
+    /// Opens a queue of the frames that arrive from now on, thinned to a rate if you wish, and chooses what happens when it is full. To get the first frame
+    /// too, open the queue before you start the reader.
+    /// </summary>
+    /// <param name="options">Capacity, name, rate, and what happens when the queue is full; copied.</param>
+    /// <returns>A new queue; dispose it when you no longer pump it.</returns>
+    /// <exception cref="ArgumentException">An option is out of range; the message names it.</exception>
+    public FrameQueue OpenQueue(FrameQueueOptions options)
+    {
+        return _pipeline.OpenQueue(Checked(options));
+    }
+
     /// <summary>Opens a view of the newest frame of each avatar, beginning now.</summary>
+    /// <param name="options">Which frames the view shows; copied. Null for every frame.</param>
     /// <returns>A new view, for one thread; dispose it when you no longer use it.</returns>
-    public LatestFrames OpenLatest() => _pipeline.OpenLatest();
+    /// <exception cref="ArgumentException">An option is out of range; the message names it.</exception>
+    public LatestFrames OpenLatest(LatestFramesOptions? options = null)
+    {
+        FrameThinning thinning = options?.Thinning ?? FrameThinning.None;
+        if (thinning.FindFault() is { } fault)
+            throw new ArgumentException(fault, nameof(options));
+
+        return _pipeline.OpenLatest(thinning);
+    }
 
     /// <summary>
     /// Opens a delivery of frames and changes of status to handlers on a window's thread, for example of Windows Forms, WPF, Avalonia or MAUI. Open it
@@ -92,26 +113,69 @@ public sealed partial class NeuronReader
     /// </returns>
     /// <exception cref="NeuronConnectionException">Reconnecting is off, and the connection failed or was closed.</exception>
     public IAsyncEnumerable<MotionFrame> ReadMotionAsync(CancellationToken cancellationToken = default) =>
-        ReadAsync<MotionFrame>(PacketKind.Motion, cancellationToken);
+        ReadAsync<MotionFrame>(PacketKind.Motion, options: null, cancellationToken);
 
-    /// <summary>Enumerates calculation frames as they arrive; otherwise the same as <see cref="ReadMotionAsync"/>.</summary>
+    /// <summary>
+    /// Enumerates motion frames as they arrive, thinned to a rate if you wish, and chooses what happens when the loop is slow. Otherwise the same as
+    /// <see cref="ReadMotionAsync(CancellationToken)"/>.
+    /// </summary>
+    /// <param name="options">Capacity, name, rate, and what happens when the queue is full; copied.</param>
+    /// <param name="cancellationToken">Ends the enumeration with an <see cref="OperationCanceledException"/>; the reader continues.</param>
+    /// <returns>The frames until the reader stops.</returns>
+    /// <exception cref="ArgumentException">An option is out of range; the message names it.</exception>
+    /// <exception cref="NeuronConnectionException">Reconnecting is off, and the connection failed or was closed.</exception>
+    public IAsyncEnumerable<MotionFrame> ReadMotionAsync(FrameQueueOptions options, CancellationToken cancellationToken = default) =>
+        ReadAsync<MotionFrame>(PacketKind.Motion, Checked(options), cancellationToken);
+
+    /// <summary>Enumerates calculation frames as they arrive; otherwise the same as <see cref="ReadMotionAsync(CancellationToken)"/>.</summary>
     /// <param name="cancellationToken">Ends the enumeration with an <see cref="OperationCanceledException"/>; the reader continues.</param>
     /// <returns>All frames until the reader stops.</returns>
     /// <exception cref="NeuronConnectionException">Reconnecting is off, and the connection failed or was closed.</exception>
     public IAsyncEnumerable<CalculationFrame> ReadCalculationAsync(CancellationToken cancellationToken = default) =>
-        ReadAsync<CalculationFrame>(PacketKind.Calculation, cancellationToken);
+        ReadAsync<CalculationFrame>(PacketKind.Calculation, options: null, cancellationToken);
 
-    /// <summary>Enumerates calculation frames of Axis Studio as they arrive; otherwise the same as <see cref="ReadMotionAsync"/>.</summary>
+    /// <summary>
+    /// Enumerates calculation frames as they arrive; otherwise the same as <see cref="ReadMotionAsync(FrameQueueOptions, CancellationToken)"/>.
+    /// </summary>
+    /// <param name="options">Capacity, name, rate, and what happens when the queue is full; copied.</param>
+    /// <param name="cancellationToken">Ends the enumeration with an <see cref="OperationCanceledException"/>; the reader continues.</param>
+    /// <returns>The frames until the reader stops.</returns>
+    /// <exception cref="ArgumentException">An option is out of range; the message names it.</exception>
+    /// <exception cref="NeuronConnectionException">Reconnecting is off, and the connection failed or was closed.</exception>
+    public IAsyncEnumerable<CalculationFrame> ReadCalculationAsync(FrameQueueOptions options, CancellationToken cancellationToken = default) =>
+        ReadAsync<CalculationFrame>(PacketKind.Calculation, Checked(options), cancellationToken);
+
+    /// <summary>Enumerates calculation frames of Axis Studio as they arrive; otherwise the same as <see cref="ReadMotionAsync(CancellationToken)"/>.</summary>
     /// <param name="cancellationToken">Ends the enumeration with an <see cref="OperationCanceledException"/>; the reader continues.</param>
     /// <returns>All frames until the reader stops.</returns>
     /// <exception cref="NeuronConnectionException">Reconnecting is off, and the connection failed or was closed.</exception>
     public IAsyncEnumerable<StudioCalculationFrame> ReadStudioCalculationAsync(CancellationToken cancellationToken = default) =>
-        ReadAsync<StudioCalculationFrame>(PacketKind.StudioCalculation, cancellationToken);
+        ReadAsync<StudioCalculationFrame>(PacketKind.StudioCalculation, options: null, cancellationToken);
 
-    private async IAsyncEnumerable<TFrame> ReadAsync<TFrame>(PacketKind kind, [EnumeratorCancellation] CancellationToken cancellationToken)
+    /// <summary>
+    /// Enumerates calculation frames of Axis Studio as they arrive; otherwise the same as
+    /// <see cref="ReadMotionAsync(FrameQueueOptions, CancellationToken)"/>.
+    /// </summary>
+    /// <param name="options">Capacity, name, rate, and what happens when the queue is full; copied.</param>
+    /// <param name="cancellationToken">Ends the enumeration with an <see cref="OperationCanceledException"/>; the reader continues.</param>
+    /// <returns>The frames until the reader stops.</returns>
+    /// <exception cref="ArgumentException">An option is out of range; the message names it.</exception>
+    /// <exception cref="NeuronConnectionException">Reconnecting is off, and the connection failed or was closed.</exception>
+    public IAsyncEnumerable<StudioCalculationFrame> ReadStudioCalculationAsync(FrameQueueOptions options, CancellationToken cancellationToken = default) =>
+        ReadAsync<StudioCalculationFrame>(PacketKind.StudioCalculation, Checked(options), cancellationToken);
+
+    // Copies the options now, because the enumeration begins later.
+    private static FrameQueueOptions Checked(FrameQueueOptions options)
+    {
+        ArgumentNullException.ThrowIfNull(options);
+        return options.FindFault() is { } fault ? throw new ArgumentException(fault, nameof(options)) : options.Copy(defaultName: null);
+    }
+
+    private async IAsyncEnumerable<TFrame> ReadAsync<TFrame>(
+        PacketKind kind, FrameQueueOptions? options, [EnumeratorCancellation] CancellationToken cancellationToken)
         where TFrame : AvatarFrame
     {
-        using (FrameStream stream = _pipeline.OpenStream(kind))
+        using (FrameStream stream = _pipeline.OpenStream(kind, options))
         {
             Start();
             while (await stream.ReadAsync(cancellationToken).ConfigureAwait(false) is { } frame)

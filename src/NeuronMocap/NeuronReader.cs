@@ -16,14 +16,14 @@ namespace NeuronMocap;
 /// <remarks>
 /// <para>Make a reader, choose how to receive frames, start it, and dispose it at the end. There are five ways to receive frames:</para>
 /// <list type="bullet">
-/// <item><description><see cref="OpenQueue"/> delivers every frame to one thread when it asks for frames, as in a main loop.</description></item>
+/// <item><description><see cref="OpenQueue(int, string)"/> delivers every frame to one thread when it asks for frames, as in a main loop.</description></item>
 /// <item><description><see cref="OpenLatest"/> delivers the newest frame of each avatar, as for a renderer.</description></item>
 /// <item><description><see cref="OpenDelivery"/> calls handlers on a window's thread.</description></item>
 /// <item><description>
 /// <see cref="MotionReceived"/>, <see cref="CalculationReceived"/> and <see cref="StudioCalculationReceived"/> call a handler on the receive thread. This
 /// is the shortest way.
 /// </description></item>
-/// <item><description><see cref="ReadMotionAsync"/> and its variants are for code that awaits.</description></item>
+/// <item><description><see cref="ReadMotionAsync(CancellationToken)"/> and its variants are for code that awaits.</description></item>
 /// </list>
 /// <para>
 /// You can mix them, and open and close them while the reader runs. The first four allocate nothing per frame.

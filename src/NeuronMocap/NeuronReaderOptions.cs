@@ -151,7 +151,15 @@ public sealed partial class NeuronReaderOptions
     internal LinkOptions? CalculationLink => CalculationPort is { } port && (port != Port || port == 0) ? Link with { Port = port } : null;
 
     internal NeuronCommandOptions? Commands => CommandPort is { } port
-        ? new NeuronCommandOptions { Host = Host, Port = port, ConnectTimeout = ConnectTimeout }
+        ? new NeuronCommandOptions
+        {
+            Host = Host,
+            Port = port,
+            ConnectTimeout = ConnectTimeout,
+
+            // Over UDP, the local address belongs to the sender's network, which may not be the way to the host.
+            LocalAddress = Transport == TransportKind.Tcp ? LocalAddress : null,
+        }
         : null;
 
     internal NeuronReaderOptions Copy()

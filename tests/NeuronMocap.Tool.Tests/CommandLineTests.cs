@@ -60,6 +60,8 @@ public sealed partial class CommandLineTests
     [InlineData("Use HOST, HOST:PORT, tcp://HOST:PORT, udp://:PORT, or demo.", "diagnose", "ftp://studio")]
     [InlineData("Use HOST, HOST:PORT, tcp://HOST:PORT or demo.", "command", "ftp://studio")]
     [InlineData("--avatar is not for order", "command", "demo", "order", "--avatar", "3")]
+    [InlineData("--local-address needs a server", "command", "demo", "--local-address", "127.0.0.1")]
+    [InlineData("--local-address", "command", "studio", "--local-address", "here")]
     [InlineData("--avatar is not for order", "command", "demo", "--avatar", "3", "ORDER")]
     [InlineData("--loop needs --bvh, --calc or --play", "simulate", "--loop")]
     [InlineData("--data-commands needs a TCP port", "simulate", "--udp", "127.0.0.1:7002", "--data-commands", "on")]

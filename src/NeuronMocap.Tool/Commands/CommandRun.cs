@@ -18,7 +18,8 @@ internal sealed class CommandRun(CommandSettings settings, StandardStreams strea
             using CommandServer? demoCommands = demo is null ? null : new CommandServer(demo, new CommandServerOptions { Port = 0 });
             demoCommands?.Start();
             ServerAddress server = settings.Server ?? ServerAddress.Of(demoCommands!.LocalEndPoint!);
-            await using var client = new NeuronCommandClient(server.Host, server.Port);
+            await using var client = new NeuronCommandClient(
+                new NeuronCommandOptions { Host = server.Host, Port = server.Port, LocalAddress = settings.LocalAddress });
             if (settings.Question == CommandQuestion.ZeroOut)
                 await ZeroOutAsync(client, server, cancellationToken);
             else

@@ -1,3 +1,4 @@
+using System.Net;
 using NeuronMocap.Skeleton;
 using NeuronMocap.Tool.Arguments;
 
@@ -27,7 +28,11 @@ internal enum CommandQuestion
 /// <param name="Question">The command to send.</param>
 /// <param name="Avatar">Index of the avatar. Null means the first avatar, or all avatars for zero out.</param>
 /// <param name="Json">Whether to print the answer as JSON.</param>
-internal sealed record CommandSettings(ServerAddress? Server, CommandQuestion Question, int? Avatar, bool Json);
+internal sealed record CommandSettings(ServerAddress? Server, CommandQuestion Question, int? Avatar, bool Json)
+{
+    /// <summary>Address of this computer to connect from; null for the system's choice.</summary>
+    public IPAddress? LocalAddress { get; init; }
+}
 
 /// <summary>The answers of a command channel.</summary>
 /// <param name="Server">Address of the command channel.</param>

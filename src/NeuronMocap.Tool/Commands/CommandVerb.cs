@@ -1,5 +1,6 @@
 using System.CommandLine;
 using System.CommandLine.Parsing;
+using System.Net;
 using NeuronMocap.Protocol;
 using NeuronMocap.Tool.Arguments;
 using NeuronMocap.Tool.Terminal;
@@ -35,6 +36,9 @@ internal sealed class CommandVerb : Verb
     private readonly Option<int?> _avatar = CommonOptions.Avatar(
         "Number of the avatar, from 0. Default: the first; for zero-out: all. Not for order.");
 
+    private readonly Option<IPAddress?> _localAddress = CommonOptions.Address(
+        "--local-address", "On a computer with several networks: connect from this address. Default: the address that the system chooses.");
+
     private readonly Option<bool> _json = CommonOptions.Json("Print the answer as one JSON object.");
 
     public CommandVerb()
@@ -45,7 +49,7 @@ internal sealed class CommandVerb : Verb
         _question.CompletionSources.Add([.. Questions.Select(static question => question.Word)]);
         Add(_server);
         Add(_question);
-        AddOptions("Options", _avatar, _json);
+        AddOptions("Options", _avatar, _localAddress, _json);
         Validators.Add(Reject);
     }
 
@@ -65,13 +69,18 @@ internal sealed class CommandVerb : Verb
     ];
 
     public override Task<int> RunAsync(ParseResult result, StandardStreams streams, CancellationToken cancellationToken) => new CommandRun(
-        new CommandSettings(result.GetValue(_server)!.Server, result.GetValue(_question), result.GetValue(_avatar), result.GetValue(_json)),
+        new CommandSettings(result.GetValue(_server)!.Server, result.GetValue(_question), result.GetValue(_avatar), result.GetValue(_json))
+        {
+            LocalAddress = result.GetValue(_localAddress),
+        },
         streams).RunAsync(cancellationToken);
 
     private void Reject(CommandResult result)
     {
         if (IsGiven(result, _avatar) && result.GetResult(_question) is { Tokens: [{ Value: var word }] } && word.Equals(OrderWord, StringComparison.OrdinalIgnoreCase))
             result.AddError("--avatar is not for order: all avatars of a server have the same rotation order.");
+        if (IsGiven(result, _localAddress) && result.GetValue(_server) is { Kind: SourceKind.Demo })
+            result.AddError("--local-address needs a server: the demo is inside this program.");
     }
 
     // Accepts the forms of TCP sources, with a different default port.

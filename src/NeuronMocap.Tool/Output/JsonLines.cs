@@ -120,6 +120,7 @@ internal sealed class JsonLines
         _json.WriteEndPoint("remote"u8, status.RemoteEndPoint);
         _json.WriteNumber("receiveBuffer"u8, status.ReceiveBufferSize);
         WriteTime(status.Timestamp);
+        _json.WriteNumber("receiveBufferRequested"u8, status.RequestedReceiveBufferSize);
         return End();
     }
 

@@ -76,7 +76,9 @@ internal sealed class LineOutput(NeuronReader reader, Stream output) : WatchOutp
             line.Append(CultureInfo.InvariantCulture, $"  {(uint)avatar.AvatarIndex} {name} {kind} {avatar.FrameRate:0.0} Hz{reduction} {avatar.Frames} frames{TimecodeOf(avatar)}");
         }
 
-        string buffer = status.ReceiveBufferSize is { } size ? string.Create(CultureInfo.InvariantCulture, $" buffer {size} bytes") : string.Empty;
+        string buffer = status.ReceiveBufferSize is { } size
+            ? string.Create(CultureInfo.InvariantCulture, $" buffer {size} of {status.RequestedReceiveBufferSize} bytes")
+            : string.Empty;
         return line
             .Append(CultureInfo.InvariantCulture, $"  lost {statistics.Lost} dropped {statistics.Dropped} skipped {statistics.BytesSkipped} bytes{buffer}")
             .ToString();

@@ -138,12 +138,19 @@ internal sealed class CommandConnection(NeuronCommandOptions options, LinkOption
 
     private (ConnectionReason Reason, Exception? Cause) Connect(IPEndPoint remote)
     {
+        // Systems report several errors for this, and some of those errors have other meanings too.
+        if (options.LocalAddress is { } own && own.AddressFamily != remote.AddressFamily)
+            return (ConnectionReason.AddressUnavailable, new SocketException((int)SocketError.AddressNotAvailable));
+
         Socket? socket = null;
         try
         {
             socket = new Socket(remote.AddressFamily, SocketType.Stream, ProtocolType.Tcp) { NoDelay = true };
             if (!Adopt(socket))
                 return (ConnectionReason.Requested, null);
+
+            if (options.LocalAddress is { } local)
+                socket.Bind(new IPEndPoint(local, 0));
 
             if (!Run("NeuronMocap command connect", () => TcpConnect.Run(socket, remote)))
             {

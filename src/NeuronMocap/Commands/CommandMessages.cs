@@ -19,7 +19,7 @@ internal static class CommandMessages
             $"{link.Target} did not answer within {Seconds(link.ConnectTimeout)}. Check the address, that both computers are on the same network, and that "
             + "no firewall blocks the port.",
             cause),
-        ConnectionReason.AccessDenied or ConnectionReason.Unreachable => new(
+        ConnectionReason.AccessDenied or ConnectionReason.Unreachable or ConnectionReason.AddressUnavailable => new(
             CommandFailure.NotConnected, ConnectionMessages.TcpFailed(reason, link, cause!), cause),
         _ => new(CommandFailure.NotConnected, $"The connection to {link.Target} failed: {cause?.Message}", cause),
     };

@@ -20,6 +20,11 @@ public sealed class NeuronCommandOptions
     public int Port { get; set; } = ProtocolConstants.DefaultCommandPort;
 
     /// <summary>
+    /// Address of this computer to connect from. With null, the default, the system chooses. Set it if the computer has several networks.
+    /// </summary>
+    public IPAddress? LocalAddress { get; set; }
+
+    /// <summary>
     /// Longest time to wait for the name to resolve, and for each of its addresses to answer: more than zero, at most 5 minutes. The default is 5 s.
     /// </summary>
     public TimeSpan ConnectTimeout { get; set; } = TimeSpan.FromSeconds(5);
@@ -58,7 +63,7 @@ public sealed class NeuronCommandOptions
         return new NeuronCommandOptions { Host = host, Port = port };
     }
 
-    internal LinkOptions Link => new(Host, Port) { ConnectTimeout = ConnectTimeout };
+    internal LinkOptions Link => new(Host, Port) { ConnectTimeout = ConnectTimeout, LocalAddress = LocalAddress };
 
     internal NeuronCommandOptions Copy() => (NeuronCommandOptions)MemberwiseClone();
 

@@ -1,4 +1,4 @@
 namespace NeuronMocap.Delivery;
 
-// The totals of all queues of one name, including closed queues.
-internal readonly record struct ConsumerStatistics(string Name, long Dropped, long Waiting);
+// The totals of all consumers of one name, including closed ones.
+internal readonly record struct ConsumerStatistics(string Name, long Dropped, long Waiting, long Skipped = 0);

@@ -6,22 +6,23 @@ using NeuronMocap.Protocol;
 namespace NeuronMocap;
 
 /// <summary>
-/// A bounded queue of all frames, in order, for one thread of the application. The receive thread adds frames without ever waiting. The application takes
-/// them out when it calls <c>Pump</c>, for example in its main loop.
+/// A bounded queue of frames, in order, for one thread of the application. The receive thread adds frames, and does not wait unless
+/// <see cref="WhenFull.Wait"/> is chosen. The application takes them out when it calls <c>Pump</c>, for example in its main loop.
 /// </summary>
 /// <remarks>
 /// <para>
 /// When the queue is full, arriving frames are dropped and counted in <see cref="Dropped"/>; waiting frames are kept. Other queues and the connection are
-/// not affected. Only one thread at a time may pump.
+/// not affected. <see cref="FrameQueueOptions.WhenFull"/> chooses otherwise. Only one thread at a time may pump.
 /// </para>
 /// <para>
 /// The queue allocates its memory when it is opened: 1.5 KB for each frame of its capacity. A slot grows once when it first holds a larger packet, such as
 /// calculation data of 3.8 KB.
 /// </para>
 /// </remarks>
-public sealed class FrameQueue : IPacketConsumer, IDisposable
+public sealed class FrameQueue : IPacketConsumer, ICountedConsumer, IDisposable
 {
     internal const string DefaultName = "queue";
+    internal const int MaxCapacity = 1 << 20;
 
     /// <summary>The default capacity: 4 s of one avatar at 120 Hz, about 0.8 MB.</summary>
     public const int DefaultCapacity = 512;
@@ -29,34 +30,45 @@ public sealed class FrameQueue : IPacketConsumer, IDisposable
     // Holds the largest motion packet, of 360 values, in whole cache lines.
     private const int SlotSize = 1536;
 
-    private readonly PacketRing _ring;
+    // One of the two: the second one drops its oldest packets.
+    private readonly PacketRing? _ring;
+    private readonly DroppingRing? _droppingRing;
     private readonly FramePool _frames;
     private readonly Action<FrameQueue> _closed;
     private readonly IDurationRecorder? _handOver;
     private readonly Func<bool>? _backPressure;
+    private readonly FrameThinner? _thinner;
     private long _dropped;
     private int _pumping;
     private volatile bool _isComplete;
     private volatile bool _disposed;
 
     // backPressure: tells whether the producer may wait for room. An unpaced playback can wait.
+    // thinner: null for every frame.
     internal FrameQueue(
         int capacity,
         FrameFormat format,
         Action<FrameQueue> closed,
         string name = DefaultName,
         IDurationRecorder? handOver = null,
-        Func<bool>? backPressure = null)
+        Func<bool>? backPressure = null,
+        WhenFull whenFull = WhenFull.DropNewest,
+        FrameThinner? thinner = null)
     {
-        if (capacity is < 1 or > 1 << 20)
+        if (capacity is < 1 or > MaxCapacity)
             throw new ArgumentOutOfRangeException(nameof(capacity), capacity, "The capacity must be 1 to 1,048,576 frames.");
 
-        _ring = new PacketRing(capacity, SlotSize);
+        if (whenFull == WhenFull.DropOldest)
+            _droppingRing = new DroppingRing(capacity, SlotSize);
+        else
+            _ring = new PacketRing(capacity, SlotSize);
+
         _frames = new FramePool(format, FramePool.OfHandlers);
         _frames.Prepare(PacketKind.Motion);
         _closed = closed;
         _handOver = handOver;
         _backPressure = backPressure;
+        _thinner = thinner;
         Name = name;
     }
 
@@ -64,19 +76,24 @@ public sealed class FrameQueue : IPacketConsumer, IDisposable
     public string Name { get; }
 
     /// <summary>Largest number of frames that can wait: the requested capacity, rounded up to a power of two.</summary>
-    public int Capacity => _ring.Capacity;
+    public int Capacity => _ring?.Capacity ?? _droppingRing!.Capacity;
 
     /// <summary>Number of waiting frames. Thread-safe.</summary>
-    public int Count => _ring.Count;
+    public int Count => _ring?.Count ?? _droppingRing!.Count;
 
     /// <summary>Number of frames that were dropped because the queue was full. Thread-safe.</summary>
-    public long Dropped => Volatile.Read(ref _dropped);
+    public long Dropped => Volatile.Read(ref _dropped) + (_droppingRing?.Dropped ?? 0);
 
     /// <summary>
-    /// Number of frames that were taken out. Together with <see cref="Dropped"/> and <see cref="Count"/>, it equals the number of frames that arrived
-    /// since the queue was opened. Thread-safe.
+    /// Number of frames that were not added because of <see cref="FrameQueueOptions.MaxRate"/> or <see cref="FrameQueueOptions.EveryNth"/>. Thread-safe.
     /// </summary>
-    public long Delivered => _ring.Released;
+    public long Skipped => _thinner?.Skipped ?? 0;
+
+    /// <summary>
+    /// Number of frames that were taken out. Together with <see cref="Dropped"/>, <see cref="Skipped"/> and <see cref="Count"/>, it equals the number of
+    /// frames that arrived since the queue was opened. Thread-safe.
+    /// </summary>
+    public long Delivered => _ring?.Released ?? _droppingRing!.Taken;
 
     // The only kind of frame that is added; None for all kinds.
     internal PacketKind OnlyKind { get; init; }
@@ -132,7 +149,7 @@ public sealed class FrameQueue : IPacketConsumer, IDisposable
         try
         {
             int taken = 0;
-            while (taken < maxFrames && !_disposed && _ring.TryPeek(out ReceivedPacket packet))
+            while (taken < maxFrames && !_disposed && TryTake(out ReceivedPacket packet))
             {
                 taken++;
                 if (_handOver is { IsEnabled: true })
@@ -148,7 +165,7 @@ public sealed class FrameQueue : IPacketConsumer, IDisposable
                 finally
                 {
                     lent?.Expire();
-                    _ring.Release();
+                    _ring?.Release();
                 }
             }
 
@@ -177,28 +194,50 @@ public sealed class FrameQueue : IPacketConsumer, IDisposable
         Changed?.Invoke();
     }
 
+    void ICountedConsumer.CompleteAdding() => CompleteAdding();
+
     void IPacketConsumer.OnPacket(in ReceivedPacket packet)
     {
         if (_isComplete || (OnlyKind != PacketKind.None && packet.Kind != OnlyKind))
             return;
+        if (_thinner is { } thinner && !thinner.Takes(packet))
+            return;
 
-        if (!_ring.TryEnqueue(packet) && !(_backPressure?.Invoke() == true && TryEnqueueLater(packet)))
+        if (_ring is not { } ring)
+            StoreDroppingOldest(packet);
+        else if (!ring.TryEnqueue(packet) && !(WaitForRoom() && ring.TryEnqueue(packet)))
             Volatile.Write(ref _dropped, _dropped + 1);
 
         Changed?.Invoke();
     }
 
-    // Polls instead of waiting for a signal, so the consumer of a live stream never has to send one.
-    private bool TryEnqueueLater(in ReceivedPacket packet)
+    // A packet of the first ring is in use until Release, and one of the second ring until the next call.
+    private bool TryTake(out ReceivedPacket packet) => _ring is { } ring ? ring.TryPeek(out packet) : _droppingRing!.TryTake(out packet);
+
+    private void StoreDroppingOldest(in ReceivedPacket packet)
     {
+        if (Count == Capacity)
+            WaitForRoom();
+
+        _droppingRing!.Store(packet);
+    }
+
+    // Returns false if the producer may not wait, or no longer. It polls instead of waiting for a signal, so the consumer never has to send one, and
+    // whatever ends the wait needs no thread. The caller is the only producer, so the room stays free.
+    private bool WaitForRoom()
+    {
+        if (_backPressure is not { } mayWait)
+            return false;
+
         var wait = new SpinWait();
-        while (!_disposed && _backPressure!())
+        while (Count == Capacity)
         {
+            if (_disposed || !mayWait())
+                return false;
+
             wait.SpinOnce();
-            if (_ring.TryEnqueue(packet))
-                return true;
         }
 
-        return false;
+        return true;
     }
 }

@@ -17,25 +17,41 @@ namespace NeuronMocap;
 /// The view keeps frames of avatar numbers below <see cref="MaxAvatars"/>, from any sender. It allocates memory when an avatar first appears.
 /// </para>
 /// </remarks>
-public sealed class LatestFrames : IPacketConsumer, IDisposable
+public sealed class LatestFrames : IPacketConsumer, ICountedConsumer, IDisposable
 {
+    internal const string MetricName = "latest";
+
     /// <summary>Number of avatars that the view keeps, from 0. Frames of higher avatar numbers are not available here.</summary>
     public const int MaxAvatars = 256;
 
     private readonly FrameFormat _format;
     private readonly Action<LatestFrames> _closed;
     private readonly IDurationRecorder? _handOver;
+    private readonly FrameThinner? _thinner;
 
     // The slots of one kind of frame lie together.
     private readonly Slot?[] _slots = new Slot?[((int)PacketKind.StudioCalculation + 1) * MaxAvatars];
     private volatile bool _disposed;
 
-    internal LatestFrames(FrameFormat format, Action<LatestFrames> closed, IDurationRecorder? handOver = null)
+    internal LatestFrames(FrameFormat format, Action<LatestFrames> closed, IDurationRecorder? handOver = null, FrameThinner? thinner = null)
     {
         _format = format;
         _closed = closed;
         _handOver = handOver;
+        _thinner = thinner;
     }
+
+    /// <summary>
+    /// Number of frames that were never shown because of <see cref="LatestFramesOptions.MaxRate"/> or <see cref="LatestFramesOptions.EveryNth"/>. Frames
+    /// that a newer frame replaced are not included. Thread-safe.
+    /// </summary>
+    public long Skipped => _thinner?.Skipped ?? 0;
+
+    string ICountedConsumer.Name => MetricName;
+
+    long ICountedConsumer.Dropped => 0;
+
+    int ICountedConsumer.Count => 0;
 
     /// <summary>Takes the newest motion frame of an avatar, if it was not taken before.</summary>
     /// <param name="avatarIndex">Number of the avatar, from 0.</param>
@@ -69,10 +85,14 @@ public sealed class LatestFrames : IPacketConsumer, IDisposable
         _closed(this);
     }
 
+    void ICountedConsumer.CompleteAdding()
+    {
+    }
+
     void IPacketConsumer.OnPacket(in ReceivedPacket packet)
     {
         uint avatarIndex = packet.AvatarIndex;
-        if (avatarIndex >= MaxAvatars)
+        if (avatarIndex >= MaxAvatars || (_thinner is { } thinner && !thinner.Takes(packet)))
             return;
 
         ref Slot? place = ref _slots[PlaceOf(packet.Kind, (int)avatarIndex)];

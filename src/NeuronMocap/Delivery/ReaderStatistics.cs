@@ -10,8 +10,8 @@ namespace NeuronMocap;
 /// <see cref="EmptyPackets"/> and <see cref="Undelivered"/>.
 /// </para>
 /// <para>
-/// Every consumer gets every delivered frame. For a queue that takes all frames, <see cref="FrameQueue.Delivered"/>, <see cref="FrameQueue.Dropped"/> and
-/// <see cref="FrameQueue.Count"/> together equal the sum of the three kinds.
+/// Every delivered frame is offered to every consumer. For a queue of all kinds, <see cref="FrameQueue.Delivered"/>, <see cref="FrameQueue.Dropped"/>,
+/// <see cref="FrameQueue.Skipped"/> and <see cref="FrameQueue.Count"/> together equal the sum of the three kinds.
 /// </para>
 /// </remarks>
 public readonly record struct ReaderStatistics
@@ -63,6 +63,12 @@ public readonly record struct ReaderStatistics
 
     /// <summary>Number of received frames that were dropped because a queue was full: the sum over all queues, including closed queues.</summary>
     public long Dropped { get; init; }
+
+    /// <summary>
+    /// Number of received frames that consumers left out because of their MaxRate or EveryNth: the sum over all consumers, including closed ones. These
+    /// frames are not lost.
+    /// </summary>
+    public long Skipped { get; init; }
 
     /// <summary>
     /// Number of packets that had arrived when the reader was stopped, but were no longer delivered. Over UDP, these include datagrams of a server that

@@ -4,7 +4,7 @@ using NeuronMocap.Protocol;
 namespace NeuronMocap.Delivery;
 
 // Counts all received packets and bytes in one place. Every complete packet is delivered as a frame, skipped because it has no values, or undelivered
-// because the reader was stopped. Every other byte is skipped, or is text between frames. Each queue counts its dropped frames, and Queues sums them up.
+// because the reader was stopped. Every other byte is skipped, or is text between frames. Each consumer counts its dropped and skipped frames, and Consumers sums them up.
 // The receive thread writes, any thread reads; comments mark the members that other threads write too.
 internal sealed class StreamCounters(IDurationRecorder? intervals = null)
 {
@@ -28,7 +28,7 @@ internal sealed class StreamCounters(IDurationRecorder? intervals = null)
 
     public AvatarTracker[] Trackers => _avatars.All;
 
-    public QueueCounters Queues { get; } = new();
+    public ConsumerCounters Consumers { get; } = new();
 
     // Number of bytes skipped for this reason.
     public long GetSkipped(SkipReason reason) => Volatile.Read(ref _skippedByReason[(int)reason]);
@@ -88,6 +88,7 @@ internal sealed class StreamCounters(IDurationRecorder? intervals = null)
         foreach (AvatarTracker tracker in _avatars.All)
             total = total.Add(tracker.Totals);
 
+        (long dropped, long skipped) = Consumers.Sum;
         return new ReaderStatistics
         {
             BytesReceived = Volatile.Read(ref _bytes),
@@ -97,7 +98,8 @@ internal sealed class StreamCounters(IDurationRecorder? intervals = null)
             CommandPackets = Volatile.Read(ref _commandPackets),
             Undelivered = Volatile.Read(ref _undelivered),
             CallbackFailures = Volatile.Read(ref _callbackFailures),
-            Dropped = Queues.Dropped,
+            Dropped = dropped,
+            Skipped = skipped,
             EmptyPackets = Volatile.Read(ref _emptyPackets),
             BytesSkipped = Volatile.Read(ref _bytesSkipped),
             OversizedPackets = Volatile.Read(ref _oversizedPackets),

@@ -1,5 +1,4 @@
 using System.Net;
-using System.Net.NetworkInformation;
 using System.Net.Sockets;
 using NeuronMocap.Transport;
 
@@ -8,8 +7,6 @@ namespace NeuronMocap.Diagnostics;
 // The networks of this computer.
 internal static class LocalNetwork
 {
-    private readonly record struct OwnAddress(IPAddress Address, int PrefixLength, string Network);
-
     // Finds the address from which the system would send to another address. Connecting a datagram socket makes the system choose, and sends nothing.
     public static ConnectionReason FindRoute(IPAddress remote, int port, IPAddress? bound, out IPAddress? local)
     {
@@ -38,53 +35,16 @@ internal static class LocalNetwork
         if (IPAddress.IsLoopback(remote))
             return $"from {local}, inside this computer";
 
-        OwnAddress own = OwnAddresses().FirstOrDefault(own => own.Address.Equals(local));
+        OwnNetwork own = OwnNetwork.FindAll().FirstOrDefault(own => local.Equals(own.Address));
         if (own.Address is null)
             return $"from {local}";
 
-        string where = IsInNetwork(remote, own) ? "on the same network" : "through a router: not on the same network";
-        return $"from {local} ({own.Network}), {where}";
+        string where = own.Contains(remote) ? "on the same network" : "through a router: not on the same network";
+        return $"from {local} ({own.Name}), {where}";
     }
 
     // The addresses to which other computers can send.
     public static IReadOnlyList<string> ReachableAddresses() =>
-        [.. OwnAddresses().Where(static own => own.Address.AddressFamily == AddressFamily.InterNetwork && !IPAddress.IsLoopback(own.Address))
-            .Select(static own => own.Address.ToString()).Take(4)];
-
-    private static bool IsInNetwork(IPAddress address, OwnAddress own)
-    {
-        byte[] left = address.GetAddressBytes();
-        byte[] right = own.Address.GetAddressBytes();
-        if (left.Length != right.Length)
-            return false;
-
-        for (int bit = 0; bit < own.PrefixLength; bit++)
-        {
-            int mask = 0x80 >> (bit % 8);
-            if (((left[bit / 8] ^ right[bit / 8]) & mask) != 0)
-                return false;
-        }
-
-        return true;
-    }
-
-    // Unity's runtimes lack parts of this. The result is only shown, never needed.
-    private static List<OwnAddress> OwnAddresses()
-    {
-        try
-        {
-            return
-            [
-                .. NetworkInterface.GetAllNetworkInterfaces()
-                    .Where(static network => network.OperationalStatus is OperationalStatus.Up or OperationalStatus.Unknown)
-                    .SelectMany(static network => network.GetIPProperties().UnicastAddresses
-                        .Select(address => new OwnAddress(address.Address, address.PrefixLength, network.Name))),
-            ];
-        }
-        catch (Exception exception) when (exception is NetworkInformationException or PlatformNotSupportedException or NotImplementedException)
-        {
-            // Not every runtime and system lists its networks; Unity's players do not. The diagnosis then continues and says less about the route.
-            return [];
-        }
-    }
+        [.. OwnNetwork.FindAll().Where(static own => own.Address?.AddressFamily == AddressFamily.InterNetwork && !own.IsLoopback)
+            .Select(static own => own.Address!.ToString()).Take(4)];
 }

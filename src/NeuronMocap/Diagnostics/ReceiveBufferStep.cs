@@ -13,15 +13,16 @@ internal static class ReceiveBufferStep
             return;
 
         if (bytes >= UdpSocket.WantedBuffer / 2)
-            log.Ok("buffer", $"the system keeps up to {bytes / Kilobyte} KiB of datagrams until they are read");
+            log.Ok("buffer", $"the system keeps up to {bytes / Kilobyte} KiB of datagrams until they are read, of the requested {UdpSocket.WantedBuffer / Kilobyte} KiB");
         else
-            log.Warning("buffer", Describe(bytes, UdpSocket.IsLinux));
+            log.Warning("buffer", Describe(bytes, UdpSocket.BufferSetting));
     }
 
-    internal static string Describe(int bytes, bool isLinux)
+    // setting: the system's setting that limits the buffer; null if there is none.
+    internal static string Describe(int bytes, string? setting)
     {
         string size = $"the system keeps {bytes / Kilobyte} KiB of datagrams until they are read, of the requested {UdpSocket.WantedBuffer / Kilobyte} KiB: "
             + "a burst of many avatars can lose some";
-        return isLinux ? $"{size}. As root: sysctl -w net.core.rmem_max={UdpSocket.WantedBuffer}" : size;
+        return setting is null ? size : $"{size}. As root: sysctl -w {setting}";
     }
 }

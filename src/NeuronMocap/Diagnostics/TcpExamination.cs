@@ -78,6 +78,7 @@ internal sealed class TcpExamination(DiagnosisContext context)
     {
         reason = ConnectionReason.None;
         var routed = new List<IPAddress>();
+        IPAddress? used = null;
         var details = new List<string>();
         foreach (IPAddress address in addresses)
         {
@@ -91,11 +92,17 @@ internal sealed class TcpExamination(DiagnosisContext context)
             }
 
             routed.Add(address);
+            used ??= local;
             details.Add($"{to}{LocalNetwork.DescribeRoute(local, address)}");
         }
 
         if (routed.Count > 0)
             context.Log.Ok("route", string.Join("; ", details));
+
+        // Inside this computer, its networks do not matter.
+        IPAddress remote = routed.Count > 0 ? routed[0] : addresses[0];
+        if (!IPAddress.IsLoopback(remote))
+            NetworksStep.Add(context.Log, OwnNetwork.FindAll(), used, remote);
 
         return [.. routed];
     }

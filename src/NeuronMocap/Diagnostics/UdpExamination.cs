@@ -15,6 +15,9 @@ internal sealed class UdpExamination(DiagnosisContext context, IReadOnlyList<IPA
             ? $"other computers send to {string.Join(" or ", addresses)}, programs on this one to 127.0.0.1"
             : "this computer has no network: only programs on it can send here, to 127.0.0.1");
 
+        if (_link.LocalAddress is not { } bound || !IPAddress.IsLoopback(bound))
+            NetworksStep.Add(context.Log, OwnNetwork.FindAll(), _link.LocalAddress, remote: null);
+
         var sample = new StreamSample(context.Expected);
         var filter = new SenderFilter(allowedSenders);
         using var listener = new UdpListener(_link, filter, sample);

@@ -14,6 +14,8 @@ internal sealed class ReceivePipeline : IPacketReceiver, ILinkListener, IReaderS
 {
     private const string StreamName = "stream";
 
+    private static readonly FrameQueueOptions DefaultQueue = new();
+
     private readonly FrameFormat _format;
     private readonly StreamRecognizer _recognizer;
     private readonly LinkActivity _activity;
@@ -62,6 +64,8 @@ internal sealed class ReceivePipeline : IPacketReceiver, ILinkListener, IReaderS
     }
 
     public ConnectionState State => _status.State;
+
+    public int? ReceiveBufferSize => _status.Current.ReceiveBufferSize;
 
     public long UnsettledLoss => _counters.Trackers.Sum(static tracker => tracker.Index.Unsettled);
 
@@ -189,23 +193,33 @@ internal sealed class ReceivePipeline : IPacketReceiver, ILinkListener, IReaderS
     }
 
     // Called when no more packets will arrive.
-    public void End() => _counters.Queues.CompleteAdding();
+    public void End() => _counters.Consumers.CompleteAdding();
 
-    public FrameQueue OpenQueue(int capacity, string name) => Open(CreateQueue(capacity, name, PacketKind.None, _backPressure));
+    public FrameQueue OpenQueue(int capacity, string name) => OpenQueue(new FrameQueueOptions { Capacity = capacity, Name = name });
 
-    public FrameQueue OpenMotionQueue(int capacity, string name) => Open(CreateQueue(capacity, name, PacketKind.Motion, backPressure: null));
+    public FrameQueue OpenQueue(FrameQueueOptions options) =>
+        Open(CreateQueue(options.Copy(FrameQueue.DefaultName), PacketKind.None, BackPressureFor(options.WhenFull)));
 
-    public FrameStream OpenStream(PacketKind kind)
+    public FrameQueue OpenMotionQueue(int capacity, string name) =>
+        Open(CreateQueue(new FrameQueueOptions { Capacity = capacity, Name = name }, PacketKind.Motion, backPressure: null));
+
+    public FrameStream OpenStream(PacketKind kind, FrameQueueOptions? options = null)
     {
-        FrameQueue queue = CreateQueue(FrameQueue.DefaultCapacity, StreamName, kind, _backPressure);
+        FrameQueueOptions how = (options ?? DefaultQueue).Copy(StreamName);
+        FrameQueue queue = CreateQueue(how, kind, BackPressureFor(how.WhenFull));
         var stream = new FrameStream(queue);
         Open(queue);
         return stream;
     }
 
-    public LatestFrames OpenLatest()
+    public LatestFrames OpenLatest() => OpenLatest(FrameThinning.None);
+
+    public LatestFrames OpenLatest(FrameThinning thinning)
     {
-        var latest = new LatestFrames(_format, _dispatcher.Remove, _metrics.HandOver("latest"));
+        var latest = new LatestFrames(_format, Close, _metrics.HandOver(LatestFrames.MetricName), thinning.CreateThinner());
+        if (thinning != FrameThinning.None)
+            _counters.Consumers.Add(latest);
+
         _dispatcher.Add(latest);
         return latest;
     }
@@ -222,8 +236,16 @@ internal sealed class ReceivePipeline : IPacketReceiver, ILinkListener, IReaderS
         }
         else
         {
-            Func<bool>? backPressure = _backPressure is null ? null : () => _backPressure() && delivery!.MayRun;
-            queue = new FrameQueue(options.Capacity, _format, _counters.Queues.Remove, options.Name, _metrics.HandOver(options.Name), backPressure);
+            Func<bool>? mayWait = BackPressureFor(options.WhenFull);
+            queue = new FrameQueue(
+                options.Capacity,
+                _format,
+                _counters.Consumers.Remove,
+                options.Name,
+                _metrics.HandOver(options.Name),
+                mayWait is null ? null : () => mayWait() && delivery!.MayRun,
+                options.WhenFull,
+                options.Thinning.CreateThinner());
             source = new QueueSource(queue);
         }
 
@@ -234,7 +256,7 @@ internal sealed class ReceivePipeline : IPacketReceiver, ILinkListener, IReaderS
             closed(ended);
         });
         if (queue is not null)
-            _counters.Queues.Add(queue);
+            _counters.Consumers.Add(queue);
 
         _dispatcher.Add(delivery);
         _deliveries.Add(delivery);
@@ -245,7 +267,7 @@ internal sealed class ReceivePipeline : IPacketReceiver, ILinkListener, IReaderS
 
     public IReadOnlyList<AvatarStatistics> GetAvatarStatistics() => [.. _counters.Trackers.Select(static tracker => tracker.Snapshot)];
 
-    public IReadOnlyList<ConsumerStatistics> GetConsumers() => _counters.Queues.Snapshot();
+    public IReadOnlyList<ConsumerStatistics> GetConsumers() => _counters.Consumers.Snapshot();
 
     public void Forget(IFileOutput output) => _recordings.Forget(output);
 
@@ -268,12 +290,18 @@ internal sealed class ReceivePipeline : IPacketReceiver, ILinkListener, IReaderS
             _counters.Resume(isCalculation);
     }
 
-    private FrameQueue CreateQueue(int capacity, string name, PacketKind only, Func<bool>? backPressure) =>
-        new(capacity, _format, Close, name, _metrics.HandOver(name), backPressure) { OnlyKind = only };
+    private FrameQueue CreateQueue(FrameQueueOptions options, PacketKind only, Func<bool>? backPressure) =>
+        new(options.Capacity, _format, Close, options.Name!, _metrics.HandOver(options.Name!), backPressure, options.WhenFull, options.Thinning.CreateThinner())
+        {
+            OnlyKind = only,
+        };
+
+    // A stop ends every wait, because the reader may be disposed on the thread that would have made room.
+    private Func<bool>? BackPressureFor(WhenFull whenFull) => whenFull == WhenFull.Wait ? () => !_stopped : _backPressure;
 
     private FrameQueue Open(FrameQueue queue)
     {
-        _counters.Queues.Add(queue);
+        _counters.Consumers.Add(queue);
         _dispatcher.Add(queue);
         return queue;
     }
@@ -281,6 +309,12 @@ internal sealed class ReceivePipeline : IPacketReceiver, ILinkListener, IReaderS
     private void Close(FrameQueue queue)
     {
         _dispatcher.Remove(queue);
-        _counters.Queues.Remove(queue);
+        _counters.Consumers.Remove(queue);
+    }
+
+    private void Close(LatestFrames latest)
+    {
+        _dispatcher.Remove(latest);
+        _counters.Consumers.Remove(latest);
     }
 }

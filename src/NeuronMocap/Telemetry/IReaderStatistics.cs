@@ -9,6 +9,9 @@ internal interface IReaderStatistics
 {
     ConnectionState State { get; }
 
+    // The system's buffer for datagrams, in bytes; null for TCP.
+    int? ReceiveBufferSize { get; }
+
     // Number of lost frames that may turn out to be a change of the server's frequency after the next few frames.
     long UnsettledLoss { get; }
 

@@ -3,6 +3,7 @@ using System.Diagnostics.Metrics;
 using System.Reflection;
 using NeuronMocap.Delivery;
 using NeuronMocap.Protocol;
+using NeuronMocap.Transport;
 
 namespace NeuronMocap.Telemetry;
 
@@ -85,6 +86,7 @@ internal static class NeuronMeter
             entry => reader.Measure(figures.GetSkipped(entry.Reason), new KeyValuePair<string, object?>(MeterTags.Reason, entry.Tag))));
         AddCounter("refused", "{datagram}", "Datagrams of senders that are not allowed.", Total(static total => total.RefusedDatagrams));
         AddCounter("dropped", "{frame}", "Frames that were dropped because a queue was full.", PerConsumer(static consumer => consumer.Dropped));
+        AddCounter("frames.skipped", "{frame}", "Frames that a consumer left out because of its rate.", PerConsumer(static consumer => consumer.Skipped));
         AddCounter("restarts", "{restart}", "How often the server restarted its frame count.", Total(static total => total.Restarts));
         AddCounter("reconnects", "{connection}", "Connections made after the first.", Total(static total => total.Reconnects));
         AddCounter("failures", "{exception}", "Exceptions of the application's handlers.", Total(static total => total.CallbackFailures));
@@ -95,6 +97,10 @@ internal static class NeuronMeter
         AddUpDown("queue.length", "{frame}", "Frames that wait in queues.", PerConsumer(static consumer => consumer.Waiting));
         AddUpDown("state", "{reader}", "1 for the current state of the connection, 0 for all others.", static (reader, figures) => States.Select(
             entry => reader.Measure(figures.State == entry.State ? 1L : 0L, new KeyValuePair<string, object?>(MeterTags.State, entry.Tag))));
+        AddUpDown("receive.buffer", "By", "The system's buffer for datagrams: what it granted, and what was requested.", static (reader, figures) =>
+            figures.ReceiveBufferSize is { } granted
+                ? [reader.Measure((long)granted, MeterTags.Granted), reader.Measure((long)UdpSocket.WantedBuffer, MeterTags.Requested)]
+                : []);
         meter.CreateObservableGauge(Prefix + "frame.age", () => Observe(MeasureAge), "s", "Age of the newest frame.");
         return meter;
 

@@ -1,5 +1,6 @@
 using System.Diagnostics;
 using System.Net;
+using NeuronMocap.Transport;
 
 namespace NeuronMocap;
 
@@ -16,10 +17,15 @@ public readonly record struct ConnectionStatus(ConnectionState State, Connection
     public EndPoint? RemoteEndPoint { get; init; }
 
     /// <summary>
-    /// Size in bytes of the system's buffer for arriving datagrams; null for TCP, and while no UDP port is bound. The reader requests 4,194,304. Linux
-    /// grants at most <c>net.core.rmem_max</c>, usually 212,992; a larger burst loses datagrams.
+    /// Size in bytes of the system's buffer for arriving datagrams; null for TCP, and while no UDP port is bound. Linux grants at most
+    /// <c>net.core.rmem_max</c>, usually 212,992, and macOS limits it by <c>kern.ipc.maxsockbuf</c>. A larger burst loses datagrams.
     /// </summary>
     public int? ReceiveBufferSize { get; init; }
+
+    /// <summary>
+    /// Size in bytes that the reader requested for <see cref="ReceiveBufferSize"/>: 4,194,304; null if that is null.
+    /// </summary>
+    public int? RequestedReceiveBufferSize => ReceiveBufferSize is null ? null : UdpSocket.WantedBuffer;
 
     /// <summary>
     /// The kind of thread that receives frames and runs handlers: <see cref="ReceiveThread.Dedicated"/> or <see cref="ReceiveThread.Pool"/>; null without

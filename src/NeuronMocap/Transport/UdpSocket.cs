@@ -13,6 +13,11 @@ internal static class UdpSocket
     // Not read from the framework, which has no common way for all builds.
     public static readonly bool IsLinux = Environment.OSVersion.Platform == PlatformID.Unix && Directory.Exists("/proc/self");
 
+    // The setting of the system that limits the buffer, with a value that suffices; null if the system has none. macOS subtracts its own overhead.
+    public static readonly string? BufferSetting = IsLinux ? FormattableString.Invariant($"net.core.rmem_max={WantedBuffer}")
+        : OperatingSystem.IsMacOS() ? FormattableString.Invariant($"kern.ipc.maxsockbuf={2 * WantedBuffer}")
+        : null;
+
     // Throws SocketException.
     public static Socket Open(LinkOptions options)
     {

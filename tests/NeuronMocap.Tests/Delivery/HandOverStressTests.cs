@@ -55,6 +55,42 @@ public sealed class HandOverStressTests
         Assert.Equal(0, ring.Count);
     }
 
+    [Theory]
+    [InlineData(1)]
+    [InlineData(2)]
+    [InlineData(64)]
+    public async Task A_ring_that_drops_its_oldest_never_overwrites_the_packet_that_is_read(int capacity)
+    {
+        var ring = new DroppingRing(capacity, slotSize: 16, firstIndex: int.MaxValue - 500);
+        int stored = 0;
+        int last = 0;
+        using (new Preemption())
+        {
+            Task producer = Produce((number, packet) =>
+            {
+                ring.Store(packet);
+                stored = number;
+            });
+            var random = new Random(2);
+            await Consume(producer, () =>
+            {
+                if (!ring.TryTake(out ReceivedPacket packet))
+                    return false;
+
+                int number = CheckedPacket.Check(packet);
+                Assert.True(number > last, $"{number} after {last}");
+                Preemption.Stumble(random);
+                Assert.Equal(number, CheckedPacket.Check(packet));
+                last = number;
+                _taken++;
+                return true;
+            });
+        }
+
+        Assert.Equal(stored, last);
+        Assert.Equal((stored, _taken, 0), (ring.Taken + ring.Dropped, ring.Taken, ring.Count));
+    }
+
     [Fact]
     public async Task The_newest_packet_is_never_torn_or_older()
     {

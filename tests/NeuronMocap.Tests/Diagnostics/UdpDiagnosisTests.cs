@@ -34,8 +34,9 @@ public sealed class UdpDiagnosisTests
         ReceiveBufferStep.Add(log, granted: null);
         Assert.Equal([StepOutcome.Ok, StepOutcome.Warning], log.Steps.Select(static step => step.Outcome));
         Assert.Contains("keeps 208 KiB of datagrams until they are read, of the requested 4096 KiB", log.Steps[1].Detail, StringComparison.Ordinal);
-        Assert.Contains("net.core.rmem_max=4194304", ReceiveBufferStep.Describe(212_992, isLinux: true), StringComparison.Ordinal);
-        Assert.DoesNotContain("rmem_max", ReceiveBufferStep.Describe(212_992, isLinux: false), StringComparison.Ordinal);
+        Assert.EndsWith("sysctl -w net.core.rmem_max=4194304", ReceiveBufferStep.Describe(212_992, "net.core.rmem_max=4194304"), StringComparison.Ordinal);
+        Assert.DoesNotContain("sysctl", ReceiveBufferStep.Describe(212_992, setting: null), StringComparison.Ordinal);
+        Assert.Equal(OperatingSystem.IsLinux(), UdpSocket.BufferSetting?.StartsWith("net.core.rmem_max", StringComparison.Ordinal) ?? false);
     }
 
     [Fact]

@@ -83,6 +83,48 @@ public sealed partial class AllocationTests
     });
 
     [Theory]
+    [InlineData(WhenFull.DropOldest)]
+    [InlineData(WhenFull.Wait)]
+    public Task Other_kinds_of_full_queues_cost_no_allocation_per_frame(WhenFull whenFull) => MeasureTcpAsync(reader =>
+    {
+        FrameQueue queue = reader.OpenQueue(new FrameQueueOptions { Capacity = 8, WhenFull = whenFull });
+        float sum = 0;
+        long seen = 0;
+        Action<MotionFrame> handler = frame => sum += frame.Values[^1];
+        return () =>
+        {
+            queue.Pump(handler);
+            long left = queue.Delivered + queue.Dropped;
+            int taken = (int)(left - seen);
+            seen = left;
+            return taken;
+        };
+    });
+
+    [Theory]
+    [InlineData(0, 3)]
+    [InlineData(500, 1)]
+    public Task Skipped_frames_cost_no_allocation(double maxRate, int everyNth) => MeasureTcpAsync(reader =>
+    {
+        FrameQueue queue = reader.OpenQueue(new FrameQueueOptions { Capacity = FramesPerRound, MaxRate = maxRate, EveryNth = everyNth });
+        LatestFrames latest = reader.OpenLatest(new LatestFramesOptions { MaxRate = maxRate, EveryNth = everyNth });
+        float sum = 0;
+        long seen = 0;
+        Action<MotionFrame> handler = frame => sum += frame.Values[^1];
+        return () =>
+        {
+            if (latest.TryTakeMotion(0, out MotionFrame? frame))
+                sum += frame.Values[0];
+
+            queue.Pump(handler);
+            long left = queue.Delivered + queue.Skipped;
+            int taken = (int)(left - seen);
+            seen = left;
+            return taken;
+        };
+    });
+
+    [Theory]
     [InlineData(ReceiveThread.Auto)]
     [InlineData(ReceiveThread.Dedicated)]
     public async Task Datagrams_cost_no_allocation_per_frame(ReceiveThread thread)

@@ -195,6 +195,8 @@ public sealed class EventReporterTests
 
         public ConnectionState State => ConnectionState.Receiving;
 
+        public int? ReceiveBufferSize => null;
+
         public long UnsettledLoss { get; set; }
 
         // Runs between two readings.

@@ -1,5 +1,6 @@
 using System.Diagnostics;
 using System.Diagnostics.Metrics;
+using System.Net;
 using System.Runtime.CompilerServices;
 using NeuronMocap.Delivery;
 using NeuronMocap.Telemetry;
@@ -64,6 +65,42 @@ public sealed class ReaderMetricsTests
     }
 
     [Fact]
+    public async Task Skipped_frames_are_counted_by_consumer_and_are_not_lost()
+    {
+        using var server = new TestServer();
+        using var reader = Reader(server, "skips");
+        using var log = new MetricsLog("skips");
+        using LatestFrames latest = reader.OpenLatest(new LatestFramesOptions { EveryNth = 5 });
+        reader.OpenQueue(new FrameQueueOptions { Name = "closed", EveryNth = 2 }).Dispose();
+        using FrameQueue queue = reader.OpenQueue(new FrameQueueOptions { Name = "thin", EveryNth = 2 });
+        reader.Start();
+        using TestConnection connection = await server.AcceptAsync();
+        await connection.SendAsync(TestPackets.Motions(1, 10));
+        await reader.WaitForFramesAsync(10);
+
+        string[] measured = log.Collect();
+        Assert.Contains("neuron.reader.frames.skipped neuron.consumer.name=thin: 5", measured);
+        Assert.Contains("neuron.reader.frames.skipped neuron.consumer.name=latest: 8", measured);
+        Assert.Contains("neuron.reader.frames.skipped neuron.consumer.name=closed: 0", measured);
+        Assert.Contains("neuron.reader.dropped neuron.consumer.name=thin: 0", measured);
+        ReaderStatistics statistics = reader.GetStatistics();
+        Assert.Equal((13, 0, 0), (statistics.Skipped, statistics.Dropped, statistics.Lost));
+    }
+
+    [Fact]
+    public async Task The_granted_receive_buffer_is_told_beside_the_requested_one()
+    {
+        using var reader = new NeuronReader(new NeuronReaderOptions { Name = "buffer", Transport = TransportKind.Udp, LocalAddress = IPAddress.Loopback, Port = 0 });
+        using var log = new MetricsLog("buffer");
+        Assert.DoesNotContain(log.Collect(), static measured => measured.Contains("receive.buffer", StringComparison.Ordinal));
+        await reader.StartAsync().Soon();
+        string[] measured = log.Collect();
+        Assert.Contains($"neuron.reader.receive.buffer neuron.buffer.size=granted: {reader.Status.ReceiveBufferSize}", measured);
+        Assert.Contains("neuron.reader.receive.buffer neuron.buffer.size=requested: 4194304", measured);
+        Assert.Equal(4_194_304, reader.Status.RequestedReceiveBufferSize);
+    }
+
+    [Fact]
     public async Task Times_are_recorded_while_observed()
     {
         using var server = new TestServer();
@@ -93,7 +130,7 @@ public sealed class ReaderMetricsTests
     {
         using var reader = new NeuronReader("127.0.0.1");
         using var log = new MetricsLog("none");
-        Assert.Equal(15, log.Instruments.Count);
+        Assert.Equal(17, log.Instruments.Count);
         Assert.All(log.Instruments, instrument =>
         {
             Assert.Matches("^neuron\\.reader(\\.[a-z]+)+$", instrument.Name);

@@ -37,6 +37,17 @@ public sealed class CommandRunTests : IDisposable
     }
 
     [Fact]
+    public async Task The_local_address_is_used_and_named_if_it_does_not_fit()
+    {
+        using CommandServer server = Start();
+        Assert.Equal(["ZXY"], (await ToolRunner.RunAsync("command", AddressOf(server), "order", "--local-address", "127.0.0.1")).Output);
+
+        ToolResult result = await ToolRunner.RunAsync("command", AddressOf(server), "order", "--local-address", "::1");
+        Assert.Equal(1, result.ExitCode);
+        Assert.Contains("The local address ::1 does not belong to this computer", string.Join(' ', result.Error), StringComparison.Ordinal);
+    }
+
+    [Fact]
     public async Task Json_has_everything_in_one_object()
     {
         using CommandServer server = Start();

@@ -134,7 +134,7 @@ public sealed class JsonLinesTests
     public void Status_and_summary_are_lines()
     {
         Assert.Equal(
-            """{"type":"status","state":"Silent","message":"Nothing.","format":"Text","reason":"no-data","attempt":2,"retryIn":null,"local":"127.0.0.1:7012","remote":null,"receiveBuffer":212992,"time":0,"utc":"2026-01-02T03:04:05Z"}""" + "\n",
+            """{"type":"status","state":"Silent","message":"Nothing.","format":"Text","reason":"no-data","attempt":2,"retryIn":null,"local":"127.0.0.1:7012","remote":null,"receiveBuffer":212992,"time":0,"utc":"2026-01-02T03:04:05Z","receiveBufferRequested":4194304}""" + "\n",
             Encoding.UTF8.GetString(_lines.Status(new ConnectionStatus(ConnectionState.Silent, ConnectionReason.NoData, "Nothing.")
             {
                 Format = StreamFormat.Text,

@@ -79,7 +79,9 @@ internal static class HeaderView
         if (state.Player is { } player)
             return [player.FileName, PlaybackKeys.Describe(player)];
         if (state.Connection.UdpPort is { } port)
-            return state.Status.ReceiveBufferSize is { } buffer ? [$"UDP port {port}", $"receive buffer {Quantity.Memory(buffer)}"] : [$"UDP port {port}"];
+            return state.Status is { ReceiveBufferSize: { } granted, RequestedReceiveBufferSize: { } requested }
+                ? [$"UDP port {port}", $"receive buffer {Quantity.Memory(granted)} of {Quantity.Memory(requested)}"]
+                : [$"UDP port {port}"];
 
         return [state.Connection.Server is { } server ? $"TCP {server}" : $"TCP {state.Status.RemoteEndPoint?.ToString() ?? "loopback"} (demo)"];
     }

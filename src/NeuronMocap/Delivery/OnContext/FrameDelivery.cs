@@ -13,8 +13,8 @@ namespace NeuronMocap;
 /// about 4 ms. It then leaves the thread to the other messages of the window before the next run.
 /// </para>
 /// <para>
-/// The receive thread never waits for the window. While the window is busy, frames wait: see <see cref="FrameDeliveryMode"/>. Delivering a frame allocates
-/// nothing, but some contexts allocate for each post.
+/// The receive thread does not wait for the window, unless <see cref="WhenFull.Wait"/> is chosen. While the window is busy, frames wait: see
+/// <see cref="FrameDeliveryMode"/>. Delivering a frame allocates nothing, but some contexts allocate for each post.
 /// </para>
 /// <para>
 /// An exception of a handler goes to the context, and thus to the application's own handler, such as <c>Application.ThreadException</c> or
@@ -95,8 +95,8 @@ public sealed class FrameDelivery : IPacketConsumer, IContextWork, IDisposable
     public FrameDeliveryEnd? End => _end;
 
     /// <summary>
-    /// Number of frames that were delivered, including frames without a handler. Together with <see cref="Dropped"/>, <see cref="Replaced"/> and
-    /// <see cref="Pending"/>, it equals the number of frames that arrived while the delivery was open. Thread-safe.
+    /// Number of frames that were delivered, including frames without a handler. Together with <see cref="Dropped"/>, <see cref="Skipped"/>,
+    /// <see cref="Replaced"/> and <see cref="Pending"/>, it equals the number of frames that arrived while the delivery was open. Thread-safe.
     /// </summary>
     public long Delivered => _source.Delivered;
 
@@ -107,6 +107,12 @@ public sealed class FrameDelivery : IPacketConsumer, IContextWork, IDisposable
     public long Dropped => _source.Dropped;
 
     /// <summary>
+    /// With <see cref="FrameDeliveryMode.EveryFrame"/>, number of frames that were left out because of <see cref="FrameDeliveryOptions.MaxRate"/> or
+    /// <see cref="FrameDeliveryOptions.EveryNth"/>. Thread-safe.
+    /// </summary>
+    public long Skipped => _source.Skipped;
+
+    /// <summary>
     /// With <see cref="FrameDeliveryMode.Newest"/>, number of frames that a newer frame replaced before they were delivered. Thread-safe.
     /// </summary>
     public long Replaced => _source.Replaced;
@@ -114,7 +120,7 @@ public sealed class FrameDelivery : IPacketConsumer, IContextWork, IDisposable
     /// <summary>Number of frames that wait; after the end, that were discarded. Thread-safe.</summary>
     public int Pending => _source.Pending;
 
-    // For an unpaced playback, which waits for room in the queue.
+    // For a receive thread that waits for room in the queue.
     internal bool MayRun => _end is null && !_runner.HasThreadEnded;
 
     // The last change follows the last frame.
@@ -165,8 +171,8 @@ public sealed class FrameDelivery : IPacketConsumer, IContextWork, IDisposable
         if (_end is not null)
             return;
 
-        _source.Add(packet);
-        _runner.Request();
+        if (_source.Add(packet))
+            _runner.Request();
     }
 
     void IContextWork.Work(long limit)

@@ -3,7 +3,10 @@ namespace NeuronMocap;
 /// <summary>Which frames a <see cref="FrameDelivery"/> delivers.</summary>
 public enum FrameDeliveryMode
 {
-    /// <summary>Every frame, in order. Frames that wait for the context are in a bounded queue.</summary>
+    /// <summary>
+    /// Every frame, in order, unless <see cref="FrameDeliveryOptions.MaxRate"/> or <see cref="FrameDeliveryOptions.EveryNth"/> leaves frames out. Frames that
+    /// wait for the context are in a bounded queue.
+    /// </summary>
     EveryFrame,
 
     /// <summary>

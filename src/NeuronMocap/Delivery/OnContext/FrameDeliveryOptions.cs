@@ -1,12 +1,11 @@
+using NeuronMocap.Delivery;
+
 namespace NeuronMocap;
 
 /// <summary>Options of <see cref="NeuronReader.OpenDelivery"/>. The values are copied when the delivery is opened.</summary>
 public sealed class FrameDeliveryOptions
 {
     internal const string DefaultName = "delivery";
-
-    private const double SlowestRate = 0.01;
-    private const double FastestRate = 1000;
 
     /// <summary>
     /// The context on which handlers run. Null, the default, means the <see cref="SynchronizationContext.Current"/> of the thread that opens the delivery.
@@ -27,10 +26,29 @@ public sealed class FrameDeliveryOptions
     public FrameDeliveryMode Mode { get; set; }
 
     /// <summary>
-    /// With <see cref="FrameDeliveryMode.Newest"/>, the largest number of frames per second for each avatar, on average: 0, or 0.01 to 1000. With 0, the default,
-    /// frames are delivered as fast as they arrive and the context runs.
+    /// The largest number of frames per second for each avatar, on average: 0, or 0.01 to 1000. With 0, the default, frames are delivered as fast as they
+    /// arrive and the context runs.
     /// </summary>
+    /// <remarks>
+    /// With <see cref="FrameDeliveryMode.EveryFrame"/>, frames in between are skipped as they arrive: see <see cref="FrameQueueOptions.MaxRate"/>. With
+    /// <see cref="FrameDeliveryMode.Newest"/>, they are replaced while they wait, so a stream that stops ends with its newest frame.
+    /// </remarks>
     public double MaxRate { get; set; }
+
+    /// <summary>
+    /// With <see cref="FrameDeliveryMode.EveryFrame"/>, delivers only every n-th frame of each avatar and each kind: 1 to 1,000,000. The default, 1, is
+    /// every frame. It excludes <see cref="MaxRate"/>.
+    /// </summary>
+    public int EveryNth { get; set; } = 1;
+
+    /// <summary>
+    /// With <see cref="FrameDeliveryMode.EveryFrame"/>, what happens to frames while the queue is full. The default is <see cref="WhenFull.DropNewest"/>.
+    /// </summary>
+    /// <remarks>
+    /// With <see cref="WhenFull.Wait"/>, a busy window holds up the receive thread and all consumers of the reader. The wait ends when the delivery or the
+    /// reader is disposed, and when the window is gone.
+    /// </remarks>
+    public WhenFull WhenFull { get; set; }
 
     /// <summary>
     /// With <see cref="FrameDeliveryMode.EveryFrame"/>, the largest number of frames that can wait: 1 to 1,048,576, rounded up to a power of two. The
@@ -44,6 +62,8 @@ public sealed class FrameDeliveryOptions
     /// </summary>
     public string Name { get; set; } = DefaultName;
 
+    internal FrameThinning Thinning => new(MaxRate, EveryNth);
+
     internal FrameDeliveryOptions Copy() => (FrameDeliveryOptions)MemberwiseClone();
 
     internal string? FindFault()
@@ -52,12 +72,12 @@ public sealed class FrameDeliveryOptions
             return "Context and Post are both set; set one of them.";
         if (!Enum.IsDefined(typeof(FrameDeliveryMode), Mode))
             return $"Mode is {Mode}; it must be EveryFrame or Newest.";
-        if (!(MaxRate is 0 or (>= SlowestRate and <= FastestRate)))
-            return FormattableString.Invariant($"MaxRate is {MaxRate}; it must be 0, or 0.01 to 1000 frames per second.");
-        if (MaxRate > 0 && Mode != FrameDeliveryMode.Newest)
-            return "MaxRate requires the mode Newest; EveryFrame leaves no frame out.";
-        if (Capacity is < 1 or > 1 << 20)
-            return $"Capacity is {Capacity}; it must be 1 to 1,048,576 frames.";
+        if ((Thinning.FindFault() ?? FrameQueueOptions.FindFault(Capacity, WhenFull)) is { } fault)
+            return fault;
+        if (EveryNth > 1 && Mode == FrameDeliveryMode.Newest)
+            return "EveryNth requires the mode EveryFrame; set MaxRate for Newest.";
+        if (WhenFull != WhenFull.DropNewest && Mode == FrameDeliveryMode.Newest)
+            return "WhenFull requires the mode EveryFrame; Newest has no queue.";
 
         return string.IsNullOrWhiteSpace(Name) ? "Name is empty; set a name." : null;
     }

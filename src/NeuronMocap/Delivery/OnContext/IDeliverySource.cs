@@ -9,12 +9,14 @@ internal interface IDeliverySource : IDisposable
 
     long Dropped { get; }
 
+    long Skipped { get; }
+
     long Replaced { get; }
 
     int Pending { get; }
 
-    // Receive thread.
-    void Add(in ReceivedPacket packet);
+    // Receive thread. Returns false if no frame waits, because this one was skipped or dropped.
+    bool Add(in ReceivedPacket packet);
 
     // Context. Hands one frame to the delivery; returns false if none is due.
     bool TryDeliver(FrameDelivery delivery, long now);

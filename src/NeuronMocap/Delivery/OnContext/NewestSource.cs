@@ -26,6 +26,8 @@ internal sealed class NewestSource(FrameFormat format, double maxRate, IDuration
 
     public long Dropped => Volatile.Read(ref _dropped);
 
+    public long Skipped => 0;
+
     public long Replaced => Volatile.Read(ref _replaced);
 
     public int Pending
@@ -40,13 +42,13 @@ internal sealed class NewestSource(FrameFormat format, double maxRate, IDuration
         }
     }
 
-    public void Add(in ReceivedPacket packet)
+    public bool Add(in ReceivedPacket packet)
     {
         uint avatarIndex = packet.AvatarIndex;
         if (avatarIndex >= LatestFrames.MaxAvatars)
         {
             Volatile.Write(ref _dropped, _dropped + 1);
-            return;
+            return false;
         }
 
         ref Slot? place = ref _places[((int)packet.Kind * LatestFrames.MaxAvatars) + (int)avatarIndex];
@@ -54,12 +56,13 @@ internal sealed class NewestSource(FrameFormat format, double maxRate, IDuration
         {
             if (slot.Newest.Publish(packet))
                 Volatile.Write(ref _replaced, _replaced + 1);
-            return;
+            return true;
         }
 
         place = new Slot(packet.Length);
         place.Newest.Publish(packet);
         _slots = [.. _slots, place];
+        return true;
     }
 
     public bool TryDeliver(FrameDelivery delivery, long now)

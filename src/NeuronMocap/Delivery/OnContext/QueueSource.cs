@@ -9,11 +9,17 @@ internal sealed class QueueSource(FrameQueue queue) : IDeliverySource
 
     public long Dropped => queue.Dropped;
 
+    public long Skipped => queue.Skipped;
+
     public long Replaced => 0;
 
     public int Pending => queue.Count;
 
-    public void Add(in ReceivedPacket packet) => ((IPacketConsumer)queue).OnPacket(packet);
+    public bool Add(in ReceivedPacket packet)
+    {
+        ((IPacketConsumer)queue).OnPacket(packet);
+        return queue.Count > 0;
+    }
 
     public bool TryDeliver(FrameDelivery delivery, long now) =>
         queue.Pump<AvatarFrame, FrameDelivery>(delivery, static (delivery, frame) => delivery.Invoke(frame), maxFrames: 1) == 1;

@@ -254,7 +254,11 @@ public sealed class DeliveryEndTests
         AssertFault("MaxRate", static options => (options.Mode, options.MaxRate) = (FrameDeliveryMode.Newest, double.NaN));
         AssertFault("MaxRate", static options => (options.Mode, options.MaxRate) = (FrameDeliveryMode.Newest, 0.001));
         AssertFault("MaxRate", static options => (options.Mode, options.MaxRate) = (FrameDeliveryMode.Newest, 1001));
-        AssertFault("MaxRate", static options => options.MaxRate = 30);
+        AssertFault("MaxRate and EveryNth", static options => (options.MaxRate, options.EveryNth) = (30, 2));
+        AssertFault("EveryNth", static options => options.EveryNth = 0);
+        AssertFault("EveryNth", static options => (options.Mode, options.EveryNth) = (FrameDeliveryMode.Newest, 2));
+        AssertFault("WhenFull", static options => options.WhenFull = (WhenFull)9);
+        AssertFault("WhenFull", static options => (options.Mode, options.WhenFull) = (FrameDeliveryMode.Newest, WhenFull.Wait));
         AssertFault("Capacity", static options => options.Capacity = 0);
         AssertFault("Name", static options => options.Name = " ");
 

@@ -67,6 +67,33 @@ public sealed class DeliveryPaceTests
     }
 
     [Fact]
+    public void Every_frame_at_a_rate_takes_every_second_frame_and_posts_for_no_other()
+    {
+        var bench = new DeliveryBench(new FrameDeliveryOptions { MaxRate = 60 });
+        for (int i = 0; i < 120; i++)
+        {
+            bench.Push(i);
+            bench.Context.RunAll();
+            bench.Clock.Advance(Interval);
+        }
+
+        Assert.Equal(Enumerable.Range(0, 60).Select(static i => (uint?)(2 * i)), bench.Indices);
+        Assert.Equal((60, 60), (bench.Delivery.Skipped, bench.Context.Posts));
+        bench.AssertSumsAddUp();
+    }
+
+    [Fact]
+    public void A_full_queue_that_drops_its_oldest_delivers_the_newest()
+    {
+        var bench = new DeliveryBench(new FrameDeliveryOptions { Capacity = 4, WhenFull = WhenFull.DropOldest });
+        bench.PushMany(0, 10);
+        bench.Context.RunAll();
+        Assert.Equal([6u, 7u, 8u, 9u], bench.Indices);
+        Assert.Equal(6, bench.Delivery.Dropped);
+        bench.AssertSumsAddUp();
+    }
+
+    [Fact]
     public void A_wait_for_the_rate_counts_as_a_pause()
     {
         var bench = new DeliveryBench(new FrameDeliveryOptions { Mode = FrameDeliveryMode.Newest, MaxRate = 50 });

@@ -101,6 +101,6 @@ public sealed class DashboardTests
         state.Take(new MotionFrame(new MotionHeader { Version = DataVersion.Studio, Reserved1 = 0x0A0B0C, Reserved2 = 7 }, values));
         string text = string.Join('\n', Draw(state, 80, 24));
         Assert.Contains("timecode 10:11:12:07", text, StringComparison.Ordinal);
-        Assert.Contains("buffer 208 KiB", text, StringComparison.Ordinal);
+        Assert.Contains("buffer 208 KiB of 4 MiB", text, StringComparison.Ordinal);
     }
 }
