@@ -138,6 +138,25 @@ public sealed class LivePreviewTests : IDisposable
         Assert.Equal(components, World.Objects.Count);
     }
 
+    // Root motion moves the hips here, so the place of the figure is the user's.
+    [Fact]
+    public void A_figure_that_is_placed_elsewhere_during_a_preview_stays_there()
+    {
+        Transform above = new GameObject("Stage").transform;
+        _driver.transform.SetParent(above, worldPositionStays: false);
+        Begin();
+        above.position = new Vector3(0, 0, 7);
+        (_driver.transform.localPosition, _driver.transform.localRotation) = (new Vector3(4, 0, -1), Quaternion.Euler(0, 90, 0));
+        EditorApplication.Tick(0.01);
+
+        LivePreview.StopAll();
+
+        Assert.Equal(new Vector3(0, 0, 7), above.position);
+        Assert.Equal(new Vector3(4, 0, -1), _driver.transform.localPosition);
+        (_driver.transform.localPosition, _driver.transform.localRotation) = (_scene[0].Position, _scene[0].Rotation);
+        Assert.True(IsAsInScene());
+    }
+
     [Fact]
     public void A_character_controller_moves_without_physics()
     {
