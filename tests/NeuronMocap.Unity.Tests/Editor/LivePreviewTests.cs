@@ -171,6 +171,19 @@ public sealed class LivePreviewTests : IDisposable
     }
 
     [Fact]
+    public void A_figure_with_bodies_moves_without_physics_and_returns()
+    {
+        FigureColliders.Add(_driver);
+        _driver.DriveTime = DriveTime.Physics;
+        Begin();
+        TickUntil(() => Quaternion.Angle(_figure[Bone.LeftArm].rotation, _scene[0].Rotation) > 5);
+        Assert.Empty(_driver.Problem);
+
+        LivePreview.StopAll();
+        AssertEnded();
+    }
+
+    [Fact]
     public void A_figure_that_leaves_its_source_or_is_disabled_returns_to_its_pose()
     {
         Begin();

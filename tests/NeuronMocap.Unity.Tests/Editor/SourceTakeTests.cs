@@ -162,9 +162,10 @@ public sealed class SourceTakeTests : IDisposable
     [Fact]
     public void In_a_preview_clips_need_play_mode()
     {
-        using var world = new EditorWorld();
-        MocapSource source = world.AddSource(static source => source.Kind = SourceKind.Simulator);
+        _world.Loop.ExitPlayMode();
+        MocapSource source = _world.AddSource(static source => source.Kind = SourceKind.Simulator);
         LivePreview.Start(source);
+        Assert.True(LivePreview.IsOn);
         TakeSettings settings = TakeSettings.instance;
         (settings.Clips, settings.Formats) = (true, TakeFormats.None);
         int components = World.Objects.Count;
@@ -180,9 +181,10 @@ public sealed class SourceTakeTests : IDisposable
     [Fact]
     public void A_take_ends_with_the_preview_and_its_file_is_complete()
     {
-        using var world = new EditorWorld();
-        MocapSource source = world.AddSource(static source => source.Kind = SourceKind.Simulator);
+        _world.Loop.ExitPlayMode();
+        MocapSource source = _world.AddSource(static source => source.Kind = SourceKind.Simulator);
         LivePreview.Start(source);
+        Assert.True(LivePreview.IsOn);
         SourceTake? started = null;
         TickUntil(() => Stage.IsLive(source));
         using SourceTake take = started = new SourceTake(source, TakeSettings.instance, Recordings);
