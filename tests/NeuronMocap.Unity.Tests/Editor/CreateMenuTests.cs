@@ -167,6 +167,6 @@ public sealed partial class CreateMenuTests
         return eye.AddComponent<Camera>();
     }
 
-    [GeneratedRegex("(GameObject|Window|Tools) > NeuronMocap > [A-Za-z ]+")]
+    [GeneratedRegex("(GameObject|Window|Tools) > NeuronMocap > [A-Za-z ]+", RegexOptions.ExplicitCapture, matchTimeoutMilliseconds: 60_000)]
     private static partial Regex MenuPath();
 }
