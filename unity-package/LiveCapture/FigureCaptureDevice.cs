@@ -30,6 +30,7 @@ namespace NeuronMocap.Unity.LiveCapture
         private float _keyTolerance = 0.1f;
 
         private readonly Stopwatch _clock = new Stopwatch();
+        private Animator? _animator;
         private ClipSampler? _sampler;
         private ClipTake? _take;
         private double _next;
@@ -70,16 +71,20 @@ namespace NeuronMocap.Unity.LiveCapture
         /// <param name="takeBuilder">The take.</param>
         public override void Write(ITakeBuilder takeBuilder)
         {
-            if (_take is { FrameCount: > 0 } take && FindAnimator() is { } animator && ClipTake.Writer is { } write)
-                takeBuilder.CreateAnimationTrack(animator.name, animator, write(take, _keyTolerance));
+            if (_take is { FrameCount: > 0 } take && _animator != null && ClipTake.Writer is { } write)
+                takeBuilder.CreateAnimationTrack(_animator.name, _animator, write(take, _keyTolerance));
         }
 
         /// <summary>Starts a take.</summary>
         protected override void OnStartRecording()
         {
-            Animator animator = FindAnimator()!;
-            ClipKind kind = animator.isHuman ? ClipKind.Humanoid : ClipKind.Generic;
+            // Figure may change during the take, which belongs to this character.
             _take = null;
+            _animator = IsReady() ? FindAnimator() : null;
+            if (!(_animator is { } animator))
+                return;
+
+            ClipKind kind = animator.isHuman ? ClipKind.Humanoid : ClipKind.Generic;
             _sampler = ClipSamplers.Create(kind, animator, animator.transform, null, out string problem);
             Problem = problem;
             if (_sampler is null)
@@ -101,7 +106,7 @@ namespace NeuronMocap.Unity.LiveCapture
         // The figure has moved: in play mode by its driver, and in edit mode by the preview of its source.
         private void LateUpdate()
         {
-            if (_sampler is null || _take is null)
+            if (_sampler is null || _take is null || _sampler.IsGone)
                 return;
 
             double time = _take.FrameCount > 0 ? _clock.Elapsed.TotalSeconds : 0;

@@ -16,7 +16,7 @@ namespace NeuronMocap.Unity.Timeline
 
         [Tooltip("A BVH file or a recording as a text asset, with the extension .txt or .bytes. It takes precedence over File.")]
         [SerializeField]
-        private TextAsset? _bvhAsset;
+        private TextAsset? _fileAsset;
 
         [Tooltip("Number of the performer in a recording. -1: the first one.")]
         [Min(-1)]
@@ -37,10 +37,10 @@ namespace NeuronMocap.Unity.Timeline
         }
 
         /// <summary>Gets or sets a BVH file or a recording as a text asset. It takes precedence over <see cref="File"/>.</summary>
-        public TextAsset? BvhAsset
+        public TextAsset? FileAsset
         {
-            get => _bvhAsset;
-            set => _bvhAsset = value;
+            get => _fileAsset;
+            set => _fileAsset = value;
         }
 
         /// <summary>Gets or sets the number of the performer in a recording. The default, -1, is the first one.</summary>
@@ -73,7 +73,7 @@ namespace NeuronMocap.Unity.Timeline
             return playable;
         }
 
-        internal string FileName => _bvhAsset != null ? _bvhAsset.name : _file.Trim();
+        internal string FileName => _fileAsset != null ? _fileAsset.name : _file.Trim();
 
         /// <summary>Reads the file again. Call it after the file has changed.</summary>
         public void Reload()
@@ -85,13 +85,13 @@ namespace NeuronMocap.Unity.Timeline
         // A file is read once, also if it cannot be used.
         internal MotionTake? Load()
         {
-            var wanted = (_file.Trim(), _bvhAsset, _performerIndex);
+            var wanted = (_file.Trim(), _fileAsset, _performerIndex);
             if (_loaded.File != null && _loaded == wanted)
                 return _take;
 
             _loaded = wanted;
             (_take, Problem) = (null, string.Empty);
-            if (_bvhAsset == null && wanted.Item1.Length == 0)
+            if (_fileAsset == null && wanted.Item1.Length == 0)
             {
                 Problem = "The clip has no file. Enter its path in File, or assign a text asset.";
                 return null;
@@ -99,7 +99,7 @@ namespace NeuronMocap.Unity.Timeline
 
             try
             {
-                _take = _bvhAsset != null ? MotionTake.Parse(_bvhAsset.bytes, _performerIndex) : MotionTake.Load(SourceFiles.Resolve(wanted.Item1), _performerIndex);
+                _take = _fileAsset != null ? MotionTake.Parse(_fileAsset.bytes, _performerIndex) : MotionTake.Load(SourceFiles.Resolve(wanted.Item1), _performerIndex);
             }
             catch (Exception exception) when (!(exception is OutOfMemoryException))
             {

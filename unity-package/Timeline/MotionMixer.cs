@@ -14,13 +14,12 @@ namespace NeuronMocap.Unity.Timeline
         public override void ProcessFrame(Playable playable, FrameData info, object? playerData)
         {
             var driver = playerData as FigureDriver;
-            if (!ReferenceEquals(driver, _driver))
+            if (driver == null || !ReferenceEquals(driver, _driver))
                 Release();
-
-            _driver = driver;
             if (driver == null)
                 return;
 
+            _driver = driver;
             bool isPosed = false;
             for (int i = 0; i < playable.GetInputCount(); i++)
             {
@@ -44,9 +43,10 @@ namespace NeuronMocap.Unity.Timeline
 
         public override void OnPlayableDestroy(Playable playable) => Release();
 
+        // A driver that was removed leaves its figure behind, which has to return to its pose in the scene as well.
         private void Release()
         {
-            if (_driver != null)
+            if (!(_driver is null))
                 _driver.ReleasePose(this);
 
             _driver = null;

@@ -8,6 +8,7 @@ internal sealed class ComponentPage(PackageSources sources)
 {
     private readonly StringBuilder _text = new();
     private readonly SortedSet<string> _groups = new(StringComparer.Ordinal);
+    private readonly HashSet<string> _elements = new(StringComparer.Ordinal);
     private readonly SortedSet<string> _choices = new(StringComparer.Ordinal);
 
     public static string Create(PackageSources sources) => new ComponentPage(sources).Write();
@@ -59,7 +60,7 @@ internal sealed class ComponentPage(PackageSources sources)
             if (field.Header is not null)
                 Line($"| **{field.Header}** | | | |");
 
-            Line($"| {field.Name} | {field.Tooltip}{LinkOf(ElementOf(field.Type))} | {RangeOf(field)} | {InitialOf(field)} |");
+            Line($"| {field.Name} | {field.Tooltip}{LinkOf(field.Type)} | {RangeOf(field)} | {(HasInitial(type) ? InitialOf(field) : string.Empty)} |");
         }
     }
 
@@ -74,8 +75,12 @@ internal sealed class ComponentPage(PackageSources sources)
             Line($"- *{InspectorField.Nicify(member.Identifier.Text)}*: {PackageSources.SummaryOf(member)}");
     }
 
-    private string LinkOf(string type)
+    private string LinkOf(string fieldType)
     {
+        string type = ElementOf(fieldType);
+        if (type != fieldType)
+            _elements.Add(type);
+
         if (sources.FindEnum(type) is { } choice)
         {
             _choices.Add(choice.Identifier.Text);
@@ -102,6 +107,9 @@ internal sealed class ComponentPage(PackageSources sources)
         ({ } type, _) when type.StartsWith("UnityEvent", StringComparison.Ordinal) => "what to call",
         _ => InspectorField.Nicify(ElementOf(field.Type).Split('.')[^1]) + (field.Type == ElementOf(field.Type) ? string.Empty : ", any number of them"),
     };
+
+    // The component that has a struct sets its values, but a new element of a list has none.
+    private bool HasInitial(string type) => _elements.Contains(type) || !sources.IsStruct(type);
 
     private string InitialOf(InspectorField field) => (field.Initial, field.Type) switch
     {

@@ -43,6 +43,8 @@ internal sealed partial class PackageSources
 
     public EnumDeclarationSyntax? FindEnum(string type) => _enums.GetValueOrDefault(type.Split('.')[^1]);
 
+    public bool IsStruct(string type) => _types[type].Any(static declaration => declaration is StructDeclarationSyntax);
+
     public bool HasFields(string type) => FieldsOf(type).Any();
 
     public string SummaryOf(string type) => _types[type].Select(SummaryOf).First(static summary => summary.Length > 0);

@@ -129,7 +129,8 @@ public sealed class PhysicsDriverTests : SourceFixture
         Loop.RunFor(0.3f);
 
         AssertHeld(prop, figure[Bone.RightHand]);
-        Assert.InRange(prop.GetComponent<Rigidbody>().velocity.magnitude, 0.1f * Speed, 10 * Speed);
+        RunUntilMoved(prop.GetComponent<Rigidbody>());
+        AssertHeld(prop, figure[Bone.RightHand]);
     }
 
     // Its transform goes with the hand, which gives no velocity.
@@ -183,7 +184,7 @@ public sealed class PhysicsDriverTests : SourceFixture
         Loop.RunFor(0.3f);
         AssertHeld(prop, figure[Bone.RightHand]);
         Assert.True(body.isKinematic);
-        Assert.InRange(body.velocity.magnitude, 0.1f * Speed, 10 * Speed);
+        RunUntilMoved(body);
 
         prop.enabled = false;
         Assert.False(body.isKinematic);
@@ -259,6 +260,9 @@ public sealed class PhysicsDriverTests : SourceFixture
             last = now;
         }
     }
+
+    // A single step may fall into a gap of the stream, because its server waits for the processor. Then the body stands still.
+    private void RunUntilMoved(Rigidbody body) => Loop.RunUntil(() => body.velocity.magnitude is > 0.1f * Speed and < 10 * Speed);
 
     private static void AssertHeld(HandProp prop, Transform hand)
     {

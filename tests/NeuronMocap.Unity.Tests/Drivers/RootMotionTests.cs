@@ -11,10 +11,21 @@ public sealed class RootMotionTests : SourceFixture
 
     private readonly PlacedActor _actor = new();
 
-    [Fact]
-    public void The_root_goes_where_the_hips_would_go()
+    [Theory]
+    [InlineData(false)]
+    [InlineData(true)]
+    public void The_root_goes_where_the_hips_would_go(bool isMirroredAndRecentred)
     {
         MocapSource source = Show();
+        if (isMirroredAndRecentred)
+        {
+            source.Stage.Mirror = true;
+            WaitForPose(source);
+            Put(source, new Vector3(2, 0, 1), 40);
+            source.Recenter();
+            Loop.Frame();
+        }
+
         TestFigure still = TestFigure.Build("Still");
         TestFigure moving = TestFigure.Build("Moving");
         HumanoidDriver[] drivers = [still.Drive(source), moving.Drive(source)];

@@ -1,9 +1,10 @@
+using System.Text.RegularExpressions;
 using NeuronMocap.Unity.EditorTools;
 using UnityEditor;
 
 namespace NeuronMocap.Unity.Tests.Editor;
 
-public class CreateMenuTests
+public sealed partial class CreateMenuTests
 {
     [Fact]
     public void A_source_is_created_below_the_selection_with_Undo()
@@ -134,6 +135,24 @@ public class CreateMenuTests
     }
 
     [Fact]
+    public void Every_menu_item_that_a_text_names_exists()
+    {
+        string[] kinds = [".cs", ".md"];
+        string[] items = [.. MenuItems.Paths.Select(static path => path.Replace("/", " > ", StringComparison.Ordinal))];
+        List<string> unknown = [];
+        foreach (string file in Directory.EnumerateFiles(Path.Combine(Repository.Root, "unity-package"), "*", SearchOption.AllDirectories).Where(file => kinds.Contains(Path.GetExtension(file))))
+        {
+            foreach (Match named in MenuPath().Matches(File.ReadAllText(file)))
+            {
+                if (!items.Any(item => named.Value.StartsWith(item, StringComparison.Ordinal)))
+                    unknown.Add($"{Path.GetFileName(file)}: {named.Value}");
+            }
+        }
+
+        Assert.Empty(unknown);
+    }
+
+    [Fact]
     public void The_figure_of_the_quick_start_leaves_the_origin_to_a_character_of_the_user()
     {
         using var world = new EditorWorld();
@@ -147,4 +166,7 @@ public class CreateMenuTests
         eye.transform.position = position;
         return eye.AddComponent<Camera>();
     }
+
+    [GeneratedRegex("(GameObject|Window|Tools) > NeuronMocap > [A-Za-z ]+", RegexOptions.ExplicitCapture, matchTimeoutMilliseconds: 60_000)]
+    private static partial Regex MenuPath();
 }

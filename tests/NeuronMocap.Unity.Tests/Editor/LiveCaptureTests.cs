@@ -74,6 +74,42 @@ public sealed class LiveCaptureTests
     }
 
     [Fact]
+    public void A_figure_that_is_deleted_during_a_take_ends_its_part_quietly()
+    {
+        using var world = new EditorWorld(play: true);
+        HumanoidDriver driver = TestFigure.Build("Hero").Drive(Stage.AddSimulator());
+        FigureCaptureDevice device = AddDevice(driver);
+        world.Loop.RunUntil(() => driver.IsDriving);
+        LiveRecorder.StartRecording();
+        world.Loop.Frames(3);
+
+        Object.DestroyImmediate(driver.gameObject);
+        world.Loop.RunFor(0.1f);
+        LiveRecorder.StopRecording();
+
+        Assert.Empty(LiveRecorder.Tracks);
+        Assert.False(device.IsReady());
+        Assert.Empty(ConsoleLog.Problems);
+    }
+
+    [Fact]
+    public void A_take_belongs_to_the_figure_it_began_with()
+    {
+        using var world = new EditorWorld(play: true);
+        MocapSource source = Stage.AddSimulator();
+        HumanoidDriver driver = TestFigure.Build("Hero").Drive(source);
+        FigureCaptureDevice device = AddDevice(driver);
+        world.Loop.RunUntil(() => driver.IsDriving);
+        LiveRecorder.StartRecording();
+        world.Loop.RunFor(0.1f);
+
+        device.Figure = TestFigure.Build("Other").Drive(source);
+        LiveRecorder.StopRecording();
+
+        Assert.Equal("Hero", Assert.Single(LiveRecorder.Tracks).Name);
+    }
+
+    [Fact]
     public void A_take_that_ends_at_once_has_no_track()
     {
         using var world = new EditorWorld(play: true);

@@ -138,6 +138,25 @@ public sealed class LivePreviewTests : IDisposable
         Assert.Equal(components, World.Objects.Count);
     }
 
+    // Root motion moves the hips here, so the place of the figure is the user's.
+    [Fact]
+    public void A_figure_that_is_placed_elsewhere_during_a_preview_stays_there()
+    {
+        Transform above = new GameObject("Stage").transform;
+        _driver.transform.SetParent(above, worldPositionStays: false);
+        Begin();
+        above.position = new Vector3(0, 0, 7);
+        (_driver.transform.localPosition, _driver.transform.localRotation) = (new Vector3(4, 0, -1), Quaternion.Euler(0, 90, 0));
+        EditorApplication.Tick(0.01);
+
+        LivePreview.StopAll();
+
+        Assert.Equal(new Vector3(0, 0, 7), above.position);
+        Assert.Equal(new Vector3(4, 0, -1), _driver.transform.localPosition);
+        (_driver.transform.localPosition, _driver.transform.localRotation) = (_scene[0].Position, _scene[0].Rotation);
+        Assert.True(IsAsInScene());
+    }
+
     [Fact]
     public void A_character_controller_moves_without_physics()
     {
@@ -146,6 +165,19 @@ public sealed class LivePreviewTests : IDisposable
         Begin();
         TickUntil(() => (_driver.transform.position - new Vector3(1, 0, 2)).magnitude > 0.01f);
         Assert.Equal(0, controller.transform.position.y, 0.1f);
+
+        LivePreview.StopAll();
+        AssertEnded();
+    }
+
+    [Fact]
+    public void A_figure_with_bodies_moves_without_physics_and_returns()
+    {
+        FigureColliders.Add(_driver);
+        _driver.DriveTime = DriveTime.Physics;
+        Begin();
+        TickUntil(() => Quaternion.Angle(_figure[Bone.LeftArm].rotation, _scene[0].Rotation) > 5);
+        Assert.Empty(_driver.Problem);
 
         LivePreview.StopAll();
         AssertEnded();

@@ -79,7 +79,7 @@ public sealed class MotionClipInspectorTests : IDisposable
     [Fact]
     public void A_text_asset_is_named()
     {
-        _clip.BvhAsset = new TextAsset(File.ReadAllText(Path.Combine(Takes, "walk.bvh"))) { name = "Walk" };
+        _clip.FileAsset = new TextAsset(File.ReadAllText(Path.Combine(Takes, "walk.bvh"))) { name = "Walk" };
         Draw();
 
         Assert.Contains(EditorWorld.Labels("Label"), static label => label.StartsWith("Walk: ", StringComparison.Ordinal));

@@ -95,6 +95,29 @@ public sealed class SourceTakeTests : IDisposable
     }
 
     [Fact]
+    public void The_clip_of_a_character_that_is_deleted_during_the_take_is_listed()
+    {
+        MocapSource source = AddSimulator();
+        var holder = new GameObject("Ann");
+        HumanoidDriver driver = holder.AddComponent<HumanoidDriver>();
+        driver.Source = source;
+        holder.AddComponent<FigureBuilder>();
+        _world.Loop.RunUntil(() => driver.IsDriving);
+        TakeSettings settings = TakeSettings.instance;
+        (settings.TakeName, settings.Clips, settings.Formats) = ("Gone", true, TakeFormats.None);
+        using var take = new SourceTake(source, settings, Recordings);
+        _world.Loop.Frames(3);
+
+        Object.DestroyImmediate(holder);
+        _world.Loop.Frames(2);
+        take.Update();
+
+        Assert.False(take.IsRunning);
+        Assert.Equal("Assets/Recordings/Gone 001 Ann.anim", Assert.Single(take.Clips));
+        Assert.Empty(take.Problem);
+    }
+
+    [Fact]
     public void A_take_ends_with_its_source()
     {
         MocapSource source = AddSimulator();
@@ -139,9 +162,10 @@ public sealed class SourceTakeTests : IDisposable
     [Fact]
     public void In_a_preview_clips_need_play_mode()
     {
-        using var world = new EditorWorld();
-        MocapSource source = world.AddSource(static source => source.Kind = SourceKind.Simulator);
+        _world.Loop.ExitPlayMode();
+        MocapSource source = _world.AddSource(static source => source.Kind = SourceKind.Simulator);
         LivePreview.Start(source);
+        Assert.True(LivePreview.IsOn);
         TakeSettings settings = TakeSettings.instance;
         (settings.Clips, settings.Formats) = (true, TakeFormats.None);
         int components = World.Objects.Count;
@@ -152,6 +176,36 @@ public sealed class SourceTakeTests : IDisposable
         Assert.False(take.IsRunning);
         Assert.Equal(components, World.Objects.Count);
         LivePreview.StopAll();
+    }
+
+    [Fact]
+    public void A_take_ends_with_the_preview_and_its_file_is_complete()
+    {
+        _world.Loop.ExitPlayMode();
+        MocapSource source = _world.AddSource(static source => source.Kind = SourceKind.Simulator);
+        LivePreview.Start(source);
+        Assert.True(LivePreview.IsOn);
+        SourceTake? started = null;
+        TickUntil(() => Stage.IsLive(source));
+        using SourceTake take = started = new SourceTake(source, TakeSettings.instance, Recordings);
+        TickUntil(() => take.Files.Count == 1 && new FileInfo(take.Files[0]).Length > 1000);
+
+        LivePreview.Stop(source);
+        TickUntil(() => take.Describe().StartsWith("Recorded", StringComparison.Ordinal));
+
+        Assert.Empty(take.Problem);
+        using RecordingReader recording = RecordingReader.Open(Assert.Single(take.Files));
+        Assert.True(recording.IsComplete);
+        Assert.Empty(recording.Problems);
+
+        void TickUntil(Func<bool> condition) => Assert.True(SpinWait.SpinUntil(
+            () =>
+            {
+                EditorApplication.Tick(0.01);
+                started?.Update();
+                return condition();
+            },
+            Limits.Unexpected));
     }
 
     private static void Forget()

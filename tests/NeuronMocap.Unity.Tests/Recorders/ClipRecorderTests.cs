@@ -201,6 +201,49 @@ public sealed partial class ClipRecorderTests : IDisposable
         Assert.Equal(1, recorder.Take.Length, 1e-4f);
     }
 
+    [Theory]
+    [InlineData(ClipKind.Humanoid)]
+    [InlineData(ClipKind.Generic)]
+    public void A_take_ends_with_its_character(ClipKind kind)
+    {
+        HumanoidFigure figure = HumanoidFigure.Build(SkeletonBody.GetDefault());
+        ClipRecorder recorder = new GameObject("Recorder").AddComponent<ClipRecorder>();
+        (recorder.Animator, recorder.Kind) = (figure.Root.GetComponent<Animator>(), kind);
+        Assert.True(recorder.StartRecording());
+        _loop.Frames(3);
+
+        Object.DestroyImmediate(figure.Root);
+        _loop.Frames(2);
+
+        Assert.False(recorder.IsRecording);
+        Assert.Equal(3, recorder.Take!.FrameCount);
+        Assert.NotEmpty(recorder.Problem);
+        Assert.Empty(ConsoleLog.Problems);
+    }
+
+    [Fact]
+    public void A_transform_that_goes_during_a_generic_take_keeps_its_last_rotation()
+    {
+        HumanoidFigure figure = HumanoidFigure.Build(SkeletonBody.GetDefault());
+        Transform sword = new GameObject("Sword").transform;
+        sword.SetParent(figure.GetBone(Bone.RightHand), worldPositionStays: false);
+        sword.localRotation = Quaternion.Euler(0, 0, 60);
+        ClipRecorder recorder = figure.Root.AddComponent<ClipRecorder>();
+        recorder.Kind = ClipKind.Generic;
+        Assert.True(recorder.StartRecording());
+        _loop.Frames(2);
+
+        Object.DestroyImmediate(sword.gameObject);
+        _loop.Frames(2);
+
+        ClipTake take = recorder.Take!;
+        Assert.Equal(4, take.FrameCount);
+        for (int value = 0; value < take.ValueCount; value++)
+            Assert.Equal(take.GetValue(1, value), take.GetValue(3, value), 1e-5f);
+
+        Assert.Empty(ConsoleLog.Problems);
+    }
+
     [Fact]
     public void Invalid_settings_are_reported()
     {

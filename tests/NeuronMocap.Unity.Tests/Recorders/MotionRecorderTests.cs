@@ -169,6 +169,21 @@ public sealed class MotionRecorderTests : IDisposable
     }
 
     [Fact]
+    public void A_source_that_is_removed_before_it_is_open_is_reported()
+    {
+        MocapSource source = Stage.AddSimulator();
+        MotionRecorder recorder = AddRecorder(source);
+        Assert.True(recorder.StartRecording());
+        Assert.Equal(RecorderState.Waiting, recorder.State);
+
+        Object.DestroyImmediate(source.gameObject);
+        _loop.Frame();
+
+        Assert.Equal(RecorderState.Idle, recorder.State);
+        Assert.Contains("source was removed", recorder.Problem);
+    }
+
+    [Fact]
     public void A_frame_allocates_nothing()
     {
         MocapSource source = Stage.AddSimulator();

@@ -76,6 +76,30 @@ public sealed class SourceAllocationTests : SourceFixture
     }
 
     [Fact]
+    public void Twenty_figures_with_every_option_allocate_nothing()
+    {
+        const int Performers = 20;
+        MocapSource source = AddSimulator(Performers);
+        (source.Stage.Offset, source.Stage.Heading, source.Stage.Mirror, source.Stage.Scale) = (Vector3.one, 30, true, 1.2f);
+        HumanoidDriver[] drivers = [.. Enumerable.Range(0, Performers).Select(performer =>
+        {
+            HumanoidDriver driver = TestFigure.Build($"Figure {performer}").Drive(source);
+            driver.PerformerIndex = performer;
+            (driver.Smoothing, driver.FootPlanting, driver.Displacement, driver.Weight) = (true, true, true, 0.5f);
+            driver.RootMotionTarget = performer % 2 == 0 ? RootMotionTarget.RootTransform : RootMotionTarget.Hips;
+            driver.DriveTime = (DriveTime)(performer % 3);
+            FigureColliders.Add(driver);
+            return driver;
+        })];
+        Loop.RunUntil(() => Array.TrueForAll(drivers, static driver => driver.IsDriving));
+        source.Recenter();
+        Loop.RunFor(0.3f);
+
+        FrameAllocations.AssertNone(Loop);
+        Assert.All(drivers, static driver => Assert.True(driver.IsDriving && driver.Problem.Length == 0, driver.Problem));
+    }
+
+    [Fact]
     public void A_received_frame_allocates_nothing()
     {
         var streams = new AvatarStreams();

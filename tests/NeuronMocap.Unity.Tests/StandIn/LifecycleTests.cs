@@ -22,6 +22,18 @@ public sealed class LifecycleTests : IDisposable
         Assert.Equal(before + 1, Time.frameCount);
     }
 
+    // Otherwise the run would end with the stall, and the game would not have moved.
+    [Fact]
+    public void A_run_plays_its_time_even_if_a_frame_stalls()
+    {
+        var stalled = new GameObject("Slow").AddComponent<SlowProbe>();
+        double before = Time.timeAsDouble;
+        _loop.RunFor(SlowProbe.Seconds / 2);
+
+        Assert.True(stalled.HasStalled);
+        Assert.True(Time.timeAsDouble - before >= SlowProbe.Seconds / 2 - 1e-6, $"{Time.timeAsDouble - before} s");
+    }
+
     [Fact]
     public void Callbacks_run_in_Unitys_order()
     {

@@ -1,3 +1,4 @@
+using System.Diagnostics;
 using System.Runtime.CompilerServices;
 
 namespace NeuronMocap.Unity.Tests.StandIn;
@@ -45,6 +46,24 @@ internal class Probe : MonoBehaviour
 [DefaultExecutionOrder(-10)]
 internal sealed class EarlyProbe : Probe
 {
+}
+
+/// <summary>Makes its first frame take long.</summary>
+internal sealed class SlowProbe : MonoBehaviour
+{
+    public const float Seconds = 0.2f;
+
+    public bool HasStalled { get; private set; }
+
+    private void Update()
+    {
+        if (HasStalled)
+            return;
+
+        HasStalled = true;
+        var watch = Stopwatch.StartNew();
+        SpinWait.SpinUntil(() => watch.Elapsed.TotalSeconds > Seconds);
+    }
 }
 
 [ExecuteAlways]

@@ -66,6 +66,28 @@ public sealed partial class TimelineTests
     }
 
     [Theory]
+    [InlineData(true)]
+    [InlineData(false)]
+    public void A_figure_whose_driver_is_removed_returns_to_its_pose_in_the_scene(bool evaluates)
+    {
+        Begin(play: false);
+        AddClip(Bvh, 0);
+        Transform[] nodes = _figure.Root.GetComponentsInChildren<Transform>();
+        Quaternion[] scene = Array.ConvertAll(nodes, static node => node.localRotation);
+        ShowAt(0.1);
+        Assert.True(_driver.IsPosed);
+
+        Object.DestroyImmediate(_driver);
+        if (evaluates)
+            ShowAt(0.2);
+        else
+            _director.Stop();
+
+        for (int i = 0; i < nodes.Length; i++)
+            Assert.Equal(0, Quaternion.Angle(scene[i], nodes[i].localRotation), 0.01f);
+    }
+
+    [Theory]
     [InlineData(1)]
     [InlineData(0.5f)]
     public void An_animator_that_writes_after_timeline_does_not_replace_the_clip(float weight)

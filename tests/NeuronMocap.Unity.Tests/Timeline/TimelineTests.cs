@@ -148,7 +148,7 @@ public sealed partial class TimelineTests : SourceFixture
     {
         Begin(play: false);
         TimelineClip clip = AddClip("missing.bvh", 0);
-        ((MotionClip)clip.asset).BvhAsset = new TextAsset(File.ReadAllText(Bvh));
+        ((MotionClip)clip.asset).FileAsset = new TextAsset(File.ReadAllText(Bvh));
         clip.duration = 1;
 
         ShowAt(0);
@@ -161,7 +161,7 @@ public sealed partial class TimelineTests : SourceFixture
     {
         Begin(play: false);
         TimelineClip clip = AddClip("", 0);
-        ((MotionClip)clip.asset).BvhAsset = new TextAsset(File.ReadAllBytes(Recording));
+        ((MotionClip)clip.asset).FileAsset = new TextAsset(File.ReadAllBytes(Recording));
         clip.duration = 1;
         string[] before = Directory.GetFiles(Application.temporaryCachePath);
 

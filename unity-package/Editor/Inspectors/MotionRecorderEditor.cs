@@ -36,6 +36,6 @@ namespace NeuronMocap.Unity.EditorTools
 
         protected override void Show() => EditorUtility.RevealInFinder(((MotionRecorder)target).Files.First());
 
-        protected override bool IsHidden(string field) => field is "_avatarIndex" && serializedObject.Is("_allPerformers", true);
+        protected override bool IsHidden(string field) => field is "_performerIndex" && serializedObject.Is("_allPerformers", true);
     }
 }

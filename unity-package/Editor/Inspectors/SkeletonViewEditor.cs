@@ -10,6 +10,6 @@ namespace NeuronMocap.Unity.EditorTools
     {
         protected override (Severity Severity, string Title, string Problem) Describe() => ((SkeletonView)target).Performer is { } performer
             ? (Severity.Good, $"Shows {performer.Name} ({performer.AvatarIndex})", string.Empty)
-            : (Severity.Waiting, "No performer to show", "It draws as soon as its performer has sent a frame. Set Driver, or Source and Avatar Index, and switch Gizmos on in the scene view.");
+            : (Severity.Waiting, "No performer to show", "It draws as soon as its performer has sent a frame. Set Driver, or Source and Performer Index, and switch Gizmos on in the scene view.");
     }
 }

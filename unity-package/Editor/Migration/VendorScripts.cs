@@ -22,7 +22,7 @@ namespace NeuronMocap.Unity.EditorTools
             new VendorScript(AnimatorInstance, VendorKind.Humanoid),
             new VendorScript(TransformsInstance, VendorKind.Generic),
             new VendorScript("NeuronInstance", VendorKind.None, "It receives, but moves nothing. In a script, use the performers of a Mocap Source."),
-            new VendorScript("NeuronInstancesManager", VendorKind.None, "Use a Performer Spawner with the replica prefab as its Prefab."),
+            new VendorScript("NeuronInstancesManager", VendorKind.None, "Its address is not in the scene: a script passes it to Connect. Add a Performer Spawner, and set its Source and, to the replica prefab, its Prefab."),
             new VendorScript("NeuronSourceManager", VendorKind.None, "Each Mocap Source has its own address and port."),
             new VendorScript("NeuronTransformsInstanceVR", VendorKind.None, Headset),
             new VendorScript("NeuronVRAdapter", VendorKind.None, Headset),

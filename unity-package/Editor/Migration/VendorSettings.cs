@@ -85,7 +85,7 @@ namespace NeuronMocap.Unity.EditorTools
             if (fields.FindNumber("connectToAxis") == 0)
                 _notes.Add("Connect To Axis was off, so the driver is disabled.");
             if (RootMotion == RootMotion.InPlace)
-                _notes.Add("Enable Hips Movement was off, so Root Motion is In Place. The hips still turn, and move up and down.");
+                _notes.Add("Enable Hips Movement was off, so Root Motion is In Place. The hips still turn, and move up and down. To keep them still, as older versions of the vendor's scripts did, set Hips of Part Weights to 0.");
             if (Mathf.Abs(HeightOffset) > 1e-4f)
                 _notes.Add($"Hip Height Offset was not the vendor's usual {UsualHeightOffset} m, so Height Offset is the difference.");
             if (fields.FindNumber("physicalUpdate") > 0 || fields.FindNumber("motionUpdateMethod") > 0)

@@ -10,8 +10,8 @@ using UnityEngine.SceneManagement;
 
 namespace NeuronMocap.Unity.EditorTools
 {
-    // Lets sources move their figures without play mode. Every figure returns to its pose in the scene before anything could save, copy or replace
-    // that pose. AnimationMode would do the same, but only for one window at a time, and Timeline needs it.
+    // Lets sources move their figures without play mode. Every figure returns to its pose in the scene before anything could save or replace that
+    // pose. Copies of a figure made meanwhile keep the pose of the preview. AnimationMode would do the same, but only for one window at a time, and Timeline needs it.
     internal static class LivePreview
     {
         private static readonly List<MocapSource> Sources = new List<MocapSource>();

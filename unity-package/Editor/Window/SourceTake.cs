@@ -85,15 +85,17 @@ namespace NeuronMocap.Unity.EditorTools
 
             _elapsed.Stop();
             _files?.Close();
-            foreach (ClipRecorder clip in _clips.Where(clip => clip != null))
+            foreach (ClipRecorder clip in _clips)
             {
+                // The recorder of a character that was destroyed has saved its clip by itself.
                 clip.StopRecording();
                 if (clip.SavedPath.Length > 0)
                     _saved.Add(clip.SavedPath);
-                else
+                else if (clip != null)
                     Note(clip);
 
-                UnityEngine.Object.DestroyImmediate(clip);
+                if (clip != null)
+                    UnityEngine.Object.DestroyImmediate(clip);
             }
         }
 

@@ -41,7 +41,7 @@ namespace NeuronMocap.Unity
         [SerializeField]
         [Min(0)]
         [Tooltip("Number of the source's performer.")]
-        private int _avatarIndex;
+        private int _performerIndex;
 
         [SerializeField]
         [Tooltip("Lines from joint to joint.")]
@@ -107,10 +107,10 @@ namespace NeuronMocap.Unity
         }
 
         /// <summary>Gets or sets the number of the source's performer.</summary>
-        public int AvatarIndex
+        public int PerformerIndex
         {
-            get => _avatarIndex;
-            set => _avatarIndex = Mathf.Max(0, value);
+            get => _performerIndex;
+            set => _performerIndex = Mathf.Max(0, value);
         }
 
         /// <summary>Gets or sets whether bones are drawn.</summary>
@@ -163,7 +163,7 @@ namespace NeuronMocap.Unity
                 if (_driver != null)
                     return _driver.Performer;
 
-                return _source != null && _source.TryGetPerformer(_avatarIndex, out Performer? performer) ? performer : null;
+                return _source != null && _source.TryGetPerformer(_performerIndex, out Performer? performer) ? performer : null;
             }
         }
 

@@ -11,7 +11,7 @@ namespace NeuronMocap.Unity
     // Edit mode: the figure moves, but its pose in the scene is kept and comes back.
     public abstract partial class FigureDriver
     {
-        // The figure, and all that root motion may move, before it was moved in edit mode.
+        // The figure, and what root motion has moved, before it was moved in edit mode. Other places are the user's, who may move the figure meanwhile.
         [NonSerialized]
         private List<(Transform Node, Vector3 Position, Quaternion Rotation)>? _scenePose;
 
@@ -50,9 +50,21 @@ namespace NeuronMocap.Unity
             _scenePose = new List<(Transform Node, Vector3 Position, Quaternion Rotation)>(rig.Nodes.Length);
             foreach (Transform node in rig.Nodes)
                 Save(node);
+        }
 
-            for (Transform? above = rig.Root; above != null; above = above.parent)
-                Save(above);
+        // Before root motion moves an object that carries the figure.
+        private void SaveCarrier(Transform carrier)
+        {
+            if (_scenePose is null)
+                return;
+
+            foreach ((Transform node, _, _) in _scenePose)
+            {
+                if (node == carrier)
+                    return;
+            }
+
+            Save(carrier);
         }
 
         private void Save(Transform node)

@@ -9,7 +9,7 @@ namespace NeuronMocap.Unity
     public abstract partial class FigureDriver
     {
         private const string NoSource =
-            "No mocap source found. Add one to the scene (GameObject > NeuronMocap > Mocap Source), or assign one to Source.";
+            "No mocap source found. Add one to the scene (GameObject > NeuronMocap > Source), or assign one to Source.";
 
         private const string SourceDisabled = "The source of this figure is disabled. Enable its component and its object, or assign another source.";
 

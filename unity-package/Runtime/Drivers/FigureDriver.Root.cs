@@ -59,6 +59,7 @@ namespace NeuronMocap.Unity
             Transform root = space.IsChildOf(transform) ? transform : space;
             if (_rootMotionTarget == RootMotionTarget.RootTransform)
             {
+                SaveCarrier(root);
                 Vector3 place = space.position + motion + (rotation * (root.position - space.position));
                 root.SetPositionAndRotation(place, rotation * root.rotation);
                 return;
@@ -74,6 +75,7 @@ namespace NeuronMocap.Unity
                 return;
 
             Transform carrier = _controller.transform;
+            SaveCarrier(carrier);
             Vector3 arm = carrier.position - space.position;
             carrier.rotation = rotation * carrier.rotation;
             MoveController(_controller, motion + (rotation * arm) - arm);

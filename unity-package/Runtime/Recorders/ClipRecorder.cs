@@ -141,6 +141,15 @@ namespace NeuronMocap.Unity
             if (_sampler is null || Take is null)
                 return;
 
+            if (_sampler.IsGone)
+            {
+                StopRecording();
+                if (Problem.Length == 0)
+                    Problem = "The take has ended early, because its character was destroyed.";
+
+                return;
+            }
+
             if (Take.FrameCount > 0)
                 _time += FrameTime.Delta;
 

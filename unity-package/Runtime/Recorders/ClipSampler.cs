@@ -32,6 +32,9 @@ namespace NeuronMocap.Unity
         // The values of the newest sample. The array is reused.
         public float[] Values { get; }
 
+        // Whether the character was destroyed.
+        public abstract bool IsGone { get; }
+
         public void Sample()
         {
             _next = 0;
@@ -53,6 +56,9 @@ namespace NeuronMocap.Unity
             Put(value.y);
             Put(value.z);
         }
+
+        // A rotation that is no longer known keeps its last value.
+        protected void Keep() => Put(_last[_rotation]);
 
         // Two quaternions describe each rotation. This writes the one closer to the last, because curves interpolate between values.
         protected void Put(Quaternion value)

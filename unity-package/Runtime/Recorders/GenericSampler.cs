@@ -22,13 +22,21 @@ namespace NeuronMocap.Unity
             _bones = bones;
         }
 
+        public override bool IsGone => _root == null || _mover == null;
+
         protected override void Read()
         {
             _origin.Follow();
             bool isRoot = _mover == _root || _mover.parent == null;
             Put(isRoot ? _mover.localPosition : ToStart(_mover.position));
             for (int i = 0; i < _bones.Count; i++)
-                Put(_bones[i] == _mover && !isRoot ? ToStart(_mover.rotation) : _bones[i].localRotation);
+            {
+                // Such as a prop in the hand that was destroyed during the take.
+                if (_bones[i] == null)
+                    Keep();
+                else
+                    Put(_bones[i] == _mover && !isRoot ? ToStart(_mover.rotation) : _bones[i].localRotation);
+            }
         }
 
         // The local place of the mover, if the root had stayed.

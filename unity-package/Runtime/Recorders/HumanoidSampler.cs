@@ -53,6 +53,8 @@ namespace NeuronMocap.Unity
             return muscle;
         }
 
+        public override bool IsGone => _root == null;
+
         public override void Dispose() => _handler.Dispose();
 
         protected override void Read()

@@ -38,7 +38,7 @@ namespace NeuronMocap.Unity
         [SerializeField]
         [Min(0)]
         [Tooltip("Number on the server of the performer to export to BVH, unless all are exported.")]
-        private int _avatarIndex;
+        private int _performerIndex;
 
         private readonly Stopwatch _elapsed = new Stopwatch();
         private TakeWriter? _take;
@@ -85,10 +85,10 @@ namespace NeuronMocap.Unity
         }
 
         /// <summary>Gets or sets the performer to export if <see cref="AllPerformers"/> is off.</summary>
-        public int AvatarIndex
+        public int PerformerIndex
         {
-            get => _avatarIndex;
-            set => _avatarIndex = Mathf.Max(0, value);
+            get => _performerIndex;
+            set => _performerIndex = Mathf.Max(0, value);
         }
 
         /// <summary>Gets what the recorder does.</summary>
@@ -176,6 +176,7 @@ namespace NeuronMocap.Unity
             if (_source == null)
             {
                 _isWaiting = false;
+                Problem = "Nothing is recorded: the source was removed before it was open.";
                 return;
             }
 
@@ -192,7 +193,7 @@ namespace NeuronMocap.Unity
             _take = new TakeWriter(
                 reader,
                 _formats,
-                _allPerformers ? (int?)null : _avatarIndex,
+                _allPerformers ? (int?)null : _performerIndex,
                 () => label.Create(folder, TakeWriter.Extensions));
         }
 

@@ -19,6 +19,7 @@ internal sealed class PlayerLoop : IDisposable
     private readonly UnitySynchronizationContext _context = new();
     private readonly Stopwatch _clock = Stopwatch.StartNew();
     private double _physics;
+    private double _played;
     private TimeSpan _lastFrame;
 
     /// <summary>Creates a loop with an empty scene.</summary>
@@ -46,6 +47,7 @@ internal sealed class PlayerLoop : IDisposable
         try
         {
             Time.Advance(seconds);
+            _played += Math.Min(seconds, Time.maximumDeltaTime);
             GizmoLog.Clear();
             if (SceneManager.Requested is { } scene)
                 SceneManager.Change(scene, null);
@@ -83,12 +85,15 @@ internal sealed class PlayerLoop : IDisposable
         }
     }
 
-    /// <summary>Runs frames in real time for a while. At least one, even if the machine is so busy that the while is over before it.</summary>
+    /// <summary>
+    /// Runs frames in real time until the game has played for a while, and at least one. On a busy machine, a frame may take longer than the whole
+    /// while. The game plays its time only in the next frames, and no frame plays more than Unity's maximum.
+    /// </summary>
     public void RunFor(float seconds)
     {
-        TimeSpan end = _clock.Elapsed + TimeSpan.FromSeconds(seconds);
+        double end = _played + seconds;
         int checks = 0;
-        RunUntil(() => checks++ > 0 && _clock.Elapsed >= end);
+        RunUntil(() => checks++ > 0 && _played >= end);
     }
 
     /// <summary>Changes to another scene.</summary>
