@@ -60,11 +60,11 @@ internal sealed class CommandRelaySession(Socket client, CommandRelayOptions opt
         catch (Exception exception) when (SocketErrors.IsExpected(exception))
         {
             string reason = exception is SocketException { SocketErrorCode: var code } ? code.ToString() : nameof(SocketError.TimedOut);
-            throw new BroadcasterException($"The command channel of {target} cannot be reached ({reason}). Check Host and HostPort, and that the server runs.", exception);
+            throw new BroadcasterException($"The command channel of {target} cannot be reached ({reason}). Check its address and port, and that it runs.", exception);
         }
 
         if (IsOwnPort((IPEndPoint)_server.LocalEndPoint!, (IPEndPoint)_server.RemoteEndPoint!))
-            throw new BroadcasterException($"The command channel of {target} is this relay itself. Set Host to another computer, or HostPort to another port.");
+            throw new BroadcasterException($"The command channel of {target} is this relay itself. Choose another port to listen on, or another server.");
     }
 
     // A relay that connects to itself would use up all its connections.
