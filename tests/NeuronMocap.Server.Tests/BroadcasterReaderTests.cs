@@ -1,6 +1,5 @@
 using System.Net;
 using System.Net.Sockets;
-using NeuronMocap.Protocol;
 using NeuronMocap.Tests.Network;
 using NeuronMocap.Tests.Server;
 

@@ -101,19 +101,35 @@ internal sealed class ReaderPacer : Pacer, IStreamListener
         try
         {
             _parser.Follow(received);
-            while (_parser.TryTake(out ReadOnlySpan<byte> unit, out _, out bool isCalculation))
+            foreach ((_, FrameLog log) in _streams)
+                log.Hold();
+
+            try
             {
-                foreach ((UnitContent content, FrameLog log) in _streams)
-                {
-                    if (content.Takes(isCalculation))
-                        log.Publish(unit);
-                }
+                PublishUnits();
+            }
+            finally
+            {
+                foreach ((_, FrameLog log) in _streams)
+                    log.Release();
             }
         }
         catch (Exception exception)
         {
             // The system is out of memory. The reader goes on, and so does the relay, with the next packet.
             _report.Report(exception);
+        }
+    }
+
+    private void PublishUnits()
+    {
+        while (_parser.TryTake(out ReadOnlySpan<byte> unit, out _, out bool isCalculation))
+        {
+            foreach ((UnitContent content, FrameLog log) in _streams)
+            {
+                if (content.Takes(isCalculation))
+                    log.Publish(unit);
+            }
         }
     }
 }

@@ -111,7 +111,7 @@ internal sealed class RelayVerb : Verb
             _playback.Reject(result);
         else if (IsGiven(result, _once))
             result.AddError("--once is for a connection: a file is read to its end.");
-        if (double.IsPositiveInfinity(result.GetValue(_playback.Speed) ?? 1))
+        if (result.GetResult(_playback.Speed)?.Tokens is [{ Value: var speed }] && speed.Equals("max", StringComparison.OrdinalIgnoreCase))
             result.AddError("--speed max is faster than clients read: give a number.");
         if (IsGiven(result, _commands) && source.Kind != SourceKind.Tcp)
             result.AddError("--commands needs a source HOST or tcp://HOST:PORT: commands go to another port of that server.");
@@ -119,9 +119,13 @@ internal sealed class RelayVerb : Verb
         RejectDestinations(result, source);
     }
 
+    // Words that are no destination have their own error.
+    private static Destination[] Find(IReadOnlyList<Token>? words) =>
+        [.. (words ?? []).Select(static word => Destination.TryParse(word.Value, out Destination? found, out _) ? found : null).OfType<Destination>()];
+
     private void RejectDestinations(CommandResult result, Source source)
     {
-        Destination[] all = [.. (result.GetResult(_to)?.Tokens ?? []).Select(static token => Destination.TryParse(token.Value, out Destination? to, out _) ? to : null).OfType<Destination>()];
+        Destination[] all = Find(result.GetResult(_to)?.Tokens);
         foreach (Destination loop in all.Where(to => RelayLoop.Exists(source, to)))
             result.AddError($"{loop.Text} would send the source {source} to itself. Choose another {(loop.File is null ? "port" : "file")}.");
 
@@ -131,7 +135,7 @@ internal sealed class RelayVerb : Verb
                 result.AddError($"{all[i].Text} and {same.Text} are the same destination.");
         }
 
-        if (IsGiven(result, _commands) && result.GetValue(_commands) is { } commands && Array.Find(all, commands.IsSame) is { } taken)
+        if (Find(result.GetResult(_commands)?.Tokens) is [TcpDestination commands] && Array.Find(all, commands.IsSame) is { } taken)
             result.AddError($"--commands and {taken.Text} need different ports.");
         if (IsGiven(result, _overwrite) && Array.TrueForAll(all, static to => to.File is null))
             result.AddError("--overwrite needs a file to write: nothing else can be replaced.");

