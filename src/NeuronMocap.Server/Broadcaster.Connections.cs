@@ -44,7 +44,7 @@ public sealed partial class Broadcaster
         try
         {
             return new UdpRecipient(
-                socket, destination, stream, stream.CreateFeed(isSingle: _recording is not null), _options.Fragment, OnRecipientEnded, _report);
+                socket, destination, stream, stream.CreateFeed(isSingle: _plan is null), _options.Fragment, OnRecipientEnded, _report);
         }
         catch
         {
@@ -90,8 +90,13 @@ public sealed partial class Broadcaster
         {
             foreach (UdpRecipient sender in _recipients.OfType<UdpRecipient>())
                 Launch(sender.Worker);
-            if (_pacer is not null)
-                Launch(_pacer.Worker);
+            if (_forwarder is not null)
+                Launch(_forwarder.Worker);
+            if (_pacer is null)
+                return;
+
+            _pacer.Open();
+            Launch(_pacer.Worker);
         }
         catch (Exception exception)
         {
@@ -207,6 +212,7 @@ public sealed partial class Broadcaster
 
         _hasEnded = true;
         _pacer?.Stop();
+        _forwarder?.Stop();
         foreach (BroadcastStream stream in _streams)
         {
             stream.Listener?.Dispose();

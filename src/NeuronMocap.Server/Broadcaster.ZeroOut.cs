@@ -6,7 +6,7 @@ namespace NeuronMocap.Server;
 // The members that the command channel uses.
 public sealed partial class Broadcaster
 {
-    // Null for a recording.
+    // Null for a recording or a reader.
     internal FramePlan? Plan => _plan;
 
     /// <summary>Zeroes out an avatar: turns it to face front, along Z, where it stands.</summary>

@@ -10,7 +10,8 @@ using NeuronMocap.Skeleton;
 namespace NeuronMocap.Server;
 
 /// <summary>
-/// Sends motion over the network as Axis Neuron does: the frames of one or more avatars, to any number of TCP clients and to UDP destinations.
+/// Sends motion over the network as Axis Neuron does: the frames of one or more avatars, to any number of TCP clients and to UDP destinations. The motion
+/// comes from sources, a recording, or a reader.
 /// </summary>
 /// <remarks>
 /// TCP clients only have to connect; they need not send anything. A client can neither end a broadcast nor affect another client.
@@ -26,7 +27,7 @@ public sealed partial class Broadcaster : IDisposable, IAsyncDisposable
     private readonly BroadcasterOptions _options;
     private readonly ZeroOutSource[] _actors;
     private readonly FramePlan? _plan;
-    private readonly RecordingContent? _recording;
+    private readonly RequestForwarder? _forwarder;
     private readonly DataCommandReplies? _replies;
     private readonly BroadcastStream[] _streams;
     private readonly bool _isPacketwise;
@@ -58,13 +59,17 @@ public sealed partial class Broadcaster : IDisposable, IAsyncDisposable
         _options = (options ?? throw new ArgumentNullException(nameof(options))).CopyChecked();
         _actors = UseZeroOutSources();
         FrameRate = _options.FrameRate ?? (_options.Sources.Count > 0 ? _options.Sources[0].FrameRate : 0);
+        if (_options.Reader is { } reader)
+        {
+            _forwarder = _options.AnswerDataCommands ? new RequestForwarder(reader, _report) : null;
+            _streams = CreateStreams((hasMotion, hasCalculation) => new ReaderContent(reader, hasMotion, hasCalculation));
+            _pacer = new ReaderPacer(reader, [.. _streams.Select(static stream => ((UnitContent)stream.Content, stream.Log!))], OnPacerEnded, _report);
+            return;
+        }
+
         if (_options.RecordingPath is not null)
         {
-            bool hasOnePort = _options.CalculationPort is null;
-            _recording = new RecordingContent(_options, hasMotion: true, hasCalculation: hasOnePort);
-            _streams = hasOnePort
-                ? [CreateStream(_recording)]
-                : [CreateStream(_recording), CreateStream(new RecordingContent(_options, hasMotion: false, hasCalculation: true), isBeside: true)];
+            _streams = CreateStreams((hasMotion, hasCalculation) => new RecordingContent(_options, hasMotion, hasCalculation));
             _pacer = IsPaced
                 ? new RecordingPacer([.. _streams.Select(static stream => ((RecordingContent)stream.Content, stream.Log!))], _options, OnPacerEnded, _report)
                 : null;
@@ -90,10 +95,10 @@ public sealed partial class Broadcaster : IDisposable, IAsyncDisposable
     public IPEndPoint? CalculationEndPoint { get; private set; }
 
     /// <summary>Frames per second: the setting, or the rate of the first source.</summary>
-    /// <value><see cref="BroadcasterOptions.MaxFrameRate"/> when the broadcast is not paced; 0 for a recording, which has its own times.</value>
+    /// <value><see cref="BroadcasterOptions.MaxFrameRate"/> when the broadcast is not paced; 0 for a recording or a reader, which have their own times.</value>
     public double FrameRate { get; }
 
-    /// <summary>The values that motion packets carry, from the settings or else from the first source. The default value for a recording.</summary>
+    /// <summary>The values that motion packets carry, from the settings or else from the first source. The default value for a recording or a reader.</summary>
     public ChannelLayout Layout => _plan?.Layout ?? default;
 
     /// <summary>Completes when the broadcast is over or the broadcaster is stopped.</summary>
@@ -101,6 +106,9 @@ public sealed partial class Broadcaster : IDisposable, IAsyncDisposable
     /// <para>
     /// A paced broadcast is over after its last frame, when no client is left to wait for. A client is done when it has read all frames, has
     /// disconnected, or has used up <see cref="BroadcasterOptions.CloseTimeout"/>.
+    /// </para>
+    /// <para>
+    /// The broadcast of a reader is over when the reader has stopped. A lost connection does not end it.
     /// </para>
     /// <para>
     /// A broadcast at <see cref="BroadcasterOptions.MaxFrameRate"/> is over when all data was sent and no client is left. All data must have been
@@ -120,7 +128,10 @@ public sealed partial class Broadcaster : IDisposable, IAsyncDisposable
         lock (_lock)
         {
             RecipientCounters total = _recipients.Aggregate(_departed, (sum, recipient) => sum.Add(recipient.Counters));
-            return new BroadcasterStatistics(_streams.Sum(CountClients), _streams.Where(stream => stream.IsBeside).Sum(CountClients), _accepted, _refused, total);
+            total = total with { RequestsDropped = total.RequestsDropped + (_forwarder?.Dropped ?? 0) };
+            long incomplete = (_pacer as ReaderPacer)?.IncompletePackets ?? 0;
+            return new BroadcasterStatistics(
+                _streams.Sum(CountClients), _streams.Where(stream => stream.IsBeside).Sum(CountClients), _accepted, _refused, incomplete, total);
         }
     }
 
@@ -211,18 +222,24 @@ public sealed partial class Broadcaster : IDisposable, IAsyncDisposable
     /// <returns>A task that completes when everything is closed.</returns>
     public ValueTask DisposeAsync() => new(Task.Run(Stop));
 
-    // A recording has no replies to data commands.
+    // A recording and a reader have no replies to data commands.
     private DataCommandReplies GetReplies(int avatarIndex) => (uint)avatarIndex < (uint)_actors.Length
         ? _replies!
         : throw new ArgumentOutOfRangeException(nameof(avatarIndex), avatarIndex, $"The index must be at least 0 and less than the number of avatars, {_actors.Length}.");
 
     private bool IsPaced => !double.IsPositiveInfinity(FrameRate);
 
+    // With a port for calculation, the second stream has it.
+    private BroadcastStream[] CreateStreams(Func<bool, bool, UnitContent> create) => _options.CalculationPort is null
+        ? [CreateStream(create(true, true))]
+        : [CreateStream(create(true, false)), CreateStream(create(false, true), isBeside: true)];
+
     private BroadcastStream CreateStream(BroadcastContent content, DataCommandReplies? replies = null, bool isBeside = false) =>
         new(content, IsPaced ? new FrameLog(_options.QueueCapacity, content.PacketsPerFrame) : null, replies)
         {
             IsBeside = isBeside,
             IsPacketwise = _isPacketwise,
+            Forwarder = _forwarder,
         };
 
     // One plan for each port.

@@ -6,12 +6,13 @@ namespace NeuronMocap.Server;
 /// <summary>Counts what a <see cref="Broadcaster"/> has sent since its start. Totals include clients that have disconnected.</summary>
 public readonly record struct BroadcasterStatistics
 {
-    internal BroadcasterStatistics(int clients, int calculationClients, long accepted, long refused, in RecipientCounters counters)
+    internal BroadcasterStatistics(int clients, int calculationClients, long accepted, long refused, long incompletePackets, in RecipientCounters counters)
     {
         Clients = clients;
         CalculationClients = calculationClients;
         Accepted = accepted;
         Refused = refused;
+        IncompletePackets = incompletePackets;
         FramesSent = counters.FramesSent;
         CalculationFramesSent = counters.CalculationFramesSent;
         PacketsDropped = counters.PacketsDropped;
@@ -48,6 +49,11 @@ public readonly record struct BroadcasterStatistics
     /// </remarks>
     public long PacketsDropped { get; }
 
+    /// <summary>
+    /// Packets of which the <see cref="BroadcasterOptions.Reader"/> received only the start: its connection ended, or a datagram was lost. They are not sent.
+    /// </summary>
+    public long IncompletePackets { get; }
+
     /// <summary>Bytes handed to the network, including replies.</summary>
     public long BytesSent { get; }
 
@@ -60,6 +66,10 @@ public readonly record struct BroadcasterStatistics
     public long RequestsIgnored { get; }
 
     /// <summary>Commands on data connections that were dropped because 1024 commands of the same client were waiting.</summary>
+    /// <remarks>
+    /// With a <see cref="BroadcasterOptions.Reader"/>: commands of all clients that could not be passed to its server, because it was not connected or 1024
+    /// commands were waiting.
+    /// </remarks>
     public long RequestsDropped { get; }
 }
 

@@ -38,13 +38,13 @@ public sealed class CommandServer : IDisposable, IAsyncDisposable
     /// <param name="broadcaster">The broadcaster whose avatars the commands concern. The server does not start, stop or dispose it.</param>
     /// <param name="options">The settings, which are copied; null for the defaults.</param>
     /// <exception cref="ArgumentException">
-    /// A setting is out of range, and the message names it. Or the broadcaster plays a recording.
+    /// A setting is out of range, and the message names it. Or the broadcaster has no sources: it sends a recording, or what a reader receives.
     /// </exception>
     public CommandServer(Broadcaster broadcaster, CommandServerOptions? options = null)
     {
         ArgumentNullException.ThrowIfNull(broadcaster);
         if (broadcaster.Plan is not { } plan)
-            throw new ArgumentException("A command server cannot serve a broadcaster that plays a recording.", nameof(broadcaster));
+            throw new ArgumentException("A command server needs a broadcaster with sources. Use a CommandRelay beside a broadcaster with a Reader.", nameof(broadcaster));
 
         _answers = new CommandAnswers(plan, broadcaster.FrameRate, broadcaster.ZeroOut, broadcaster.ZeroOutAll);
         _options = (options ?? new CommandServerOptions()).CopyChecked();

@@ -9,6 +9,7 @@ using NeuronMocap.Tool.Files;
 using NeuronMocap.Tool.Info;
 using NeuronMocap.Tool.Play;
 using NeuronMocap.Tool.Plot;
+using NeuronMocap.Tool.Relay;
 using NeuronMocap.Tool.Simulate;
 using NeuronMocap.Tool.Terminal;
 using NeuronMocap.Tool.Watch;
@@ -78,7 +79,7 @@ internal static class CommandLine
         var root = new RootCommand(ProgramHelp.Description);
         foreach (Verb verb in (Verb[])
             [
-                new WatchVerb(), new DiagnoseVerb(), new SimulateVerb(), new PlayVerb(), new InfoVerb(), new ConvertVerb(), new PlotVerb(), new CommandVerb(),
+                new WatchVerb(), new DiagnoseVerb(), new SimulateVerb(), new RelayVerb(), new PlayVerb(), new InfoVerb(), new ConvertVerb(), new PlotVerb(), new CommandVerb(),
                 new CompletionVerb(),
             ])
         {

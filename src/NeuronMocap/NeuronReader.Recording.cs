@@ -9,6 +9,15 @@ public sealed partial class NeuronReader
     // Gets the received bytes before they are parsed.
     internal StreamTap Tap => _recordings.Tap;
 
+    // Whether the reader plays a file. Its tap then gets nothing.
+    internal bool IsPlayback => _isPlayback;
+
+    // The most values that a packet of this reader may have.
+    internal int MaxValues => _options.MaxValues;
+
+    // Sends bytes to the server, if a TCP connection is open. Waits up to a second if the server does not read.
+    internal bool TrySend(ReadOnlySpan<byte> bytes) => _supervisor.TrySend(bytes);
+
     /// <summary>
     /// Records every byte that this reader receives from now on, with the time of its arrival. The file plays back as the live stream did;
     /// docs/reference/recording.md describes its format.

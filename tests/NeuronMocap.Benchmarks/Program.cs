@@ -15,6 +15,10 @@ var clients = new Option<int[]>("--clients") { Description = "Numbers of clients
 var broadcast = new Command("broadcast", "Cost and speed of the server.") { clients, Seconds, Runs, Json };
 broadcast.SetAction((result, _) => Broadcast.RunAsync(result.GetValue(clients)!, result.GetValue(Seconds), result.GetValue(Runs), Open(result)));
 
+var rates = new Option<double[]>("--rates") { Description = "Frames per second.", DefaultValueFactory = _ => [60, 120, 1000], AllowMultipleArgumentsPerToken = true };
+var relay = new Command("relay", "What a relay adds from server to client, and its speed.") { rates, Frames, Seconds, Runs, Json };
+relay.SetAction((result, _) => Relay.RunAsync(result.GetValue(rates)!, result.GetValue(Frames), result.GetValue(Seconds), result.GetValue(Runs), Open(result)));
+
 var decode = new Command("decode", "Cost of a frame without a network: scan, decode, publish, take.") { Runs, Json };
 decode.SetAction((result, _) => Decode.RunAsync(result.GetValue(Runs), Open(result)));
 
@@ -27,7 +31,6 @@ retarget.SetAction((result, _) => RetargetCost.RunAsync(result.GetValue(Runs), O
 var recording = new Command("record", "What a recording costs the receive thread.") { Runs, Json };
 recording.SetAction((result, _) => Record.RunAsync(result.GetValue(Runs), Open(result)));
 
-var rates = new Option<double[]>("--rates") { Description = "Frames per second.", DefaultValueFactory = _ => [60, 120, 1000], AllowMultipleArgumentsPerToken = true };
 var latency = new Command("latency", "Time from send to the handler, one frame at a time.") { rates, Seconds, Runs, Json };
 latency.SetAction((result, _) => Latency.RunAsync(result.GetValue(rates)!, result.GetValue(Seconds), result.GetValue(Runs), Open(result)));
 
@@ -66,7 +69,7 @@ sinks.Add(idler);
 sinks.SetAction(result => Sinks.Run(result.GetValue(port), result.GetValue(Connections), result.GetValue(idler)));
 
 RootCommand root = Root(
-    Throughput(), latency, streams, avatars, consumers, broadcast, decode, bvh, kinematics, retarget, recording, playback, Window(), native, micro,
+    Throughput(), latency, streams, avatars, consumers, broadcast, relay, decode, bvh, kinematics, retarget, recording, playback, Window(), native, micro,
     Flood(), Pace(), sinks);
 #if PIPES
 var connections = new Option<int>("--connections") { Description = "Connections of the paced case.", DefaultValueFactory = _ => 100 };

@@ -53,7 +53,7 @@ public sealed class RecordedUnitsTests
         using TemporaryFile file = Recordings.OfTcp((1, [.. noise, .. TestPackets.Motion(0, count: 10_224)]), (2, noise));
         using var units = new RecordedUnits(Open(file));
         List<(byte[] Bytes, TimeSpan Time)> all = ReadAll(units);
-        Assert.All(all, static unit => Assert.InRange(unit.Bytes.Length, 1, RecordedUnits.LongestUnit(10_224)));
+        Assert.All(all, static unit => Assert.InRange(unit.Bytes.Length, 1, UnitParser.LongestUnit(10_224)));
         Assert.Equal([.. noise, .. TestPackets.Motion(0, count: 10_224), .. noise], all.SelectMany(static unit => unit.Bytes));
     }
 

@@ -8,7 +8,7 @@ namespace NeuronMocap.Tool.Tests;
 
 public sealed partial class CommandLineTests
 {
-    public static TheoryData<string> Verbs { get; } = ["watch", "diagnose", "simulate", "play", "info", "convert", "plot", "command", "completion"];
+    public static TheoryData<string> Verbs { get; } = ["watch", "diagnose", "simulate", "relay", "play", "info", "convert", "plot", "command", "completion"];
 
     [Theory]
     [InlineData("--frames", "watch", "--frames", "0")]
@@ -78,6 +78,24 @@ public sealed partial class CommandLineTests
     [InlineData("take.fbx", "watch", "--export", "take.fbx")]
     [InlineData(".bvh", "watch", "--export", "take.fbx")]
     [InlineData("--overwrite", "watch", "--overwrite")]
+    [InlineData("relay needs SOURCE.", "relay")]
+    [InlineData("relay needs TO.", "relay", "studio")]
+    [InlineData("'ws://:7001' is not a destination. Use tcp://[ADDRESS]:PORT, udp://HOST:PORT, FILE.nmrec or FILE.bvh.", "relay", "studio", "ws://:7001")]
+    [InlineData("'tcp://' has no port to listen on", "relay", "studio", "tcp://")]
+    [InlineData("'office' in 'tcp://office:7001' is not an address", "relay", "studio", "tcp://office:7001")]
+    [InlineData("'udp://:7012' names no computer", "relay", "studio", "udp://:7012")]
+    [InlineData("a.nmrec and ./a.nmrec are the same destination.", "relay", "studio", "a.nmrec", "./a.nmrec")]
+    [InlineData("tcp://:7001 and tcp://127.0.0.1:7001 are the same destination.", "relay", "studio", "tcp://:7001", "tcp://127.0.0.1:7001")]
+    [InlineData("would send the source tcp://localhost:7001 to itself", "relay", "localhost", "tcp://:7001")]
+    [InlineData("would send the source udp://:7012 to itself", "relay", "udp://:7012", "udp://127.0.0.1:7012")]
+    [InlineData("would send the source a.nmrec to itself", "relay", "a.nmrec", "./a.nmrec")]
+    [InlineData("--commands needs a source HOST", "relay", "demo", "tcp://:0", "--commands", "tcp://:8013")]
+    [InlineData("--commands and tcp://:8013 need different ports.", "relay", "studio", "tcp://:8013", "--commands", "tcp://127.0.0.1:8013")]
+    [InlineData("--commands: 'udp://a:1' is not a place to listen", "relay", "studio", "tcp://:0", "--commands", "udp://a:1")]
+    [InlineData("--speed max", "relay", "a.nmrec", "tcp://:0", "--speed", "max")]
+    [InlineData("--speed needs a file as the source", "relay", "demo", "tcp://:0", "--speed", "2")]
+    [InlineData("--once is for a connection", "relay", "a.nmrec", "tcp://:0", "--once")]
+    [InlineData("--overwrite needs a file", "relay", "demo", "tcp://:0", "--overwrite")]
     [InlineData("HOST[:PORT]", "command")]
     [InlineData("'port' in 'studio:port' is not a port", "command", "studio:port")]
     [InlineData("udp://:8013", "command", "udp://:8013")]
@@ -262,6 +280,7 @@ public sealed partial class CommandLineTests
     [InlineData("convert", "--from", "--to", "--resample", "--order", "--output-order", "--avatar", "--rate", "--overwrite")]
     [InlineData("plot", "--from", "--to", "--order", "--avatar", "--rate", "--overwrite")]
     [InlineData("command", "--avatar", "--json")]
+    [InlineData("relay", "--commands", "--duration", "--once", "--overwrite", "--command-port", "--calculation-port", "--speed", "--rate", "--loop")]
     [InlineData("simulate", "--port", "--bvh", "--calc", "--play", "--speed", "--udp", "--calculation-port", "--command-port", "--bind")]
     public async Task The_options_that_scripts_rely_on_exist(string verb, params string[] options)
     {

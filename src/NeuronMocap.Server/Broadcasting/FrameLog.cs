@@ -48,6 +48,12 @@ internal sealed class FrameLog(int length, int packetsPerFrame = 1)
         }
     }
 
+    /// <summary>Holds the readers back until <see cref="Release"/>, so that they get frames that arrived together in one read.</summary>
+    public void Hold() => Monitor.Enter(_lock);
+
+    /// <summary>Lets the readers read again. Called on the thread that called <see cref="Hold"/>.</summary>
+    public void Release() => Monitor.Exit(_lock);
+
     /// <summary>Marks the end of the broadcast. Readers still get the frames in the ring.</summary>
     public void Complete()
     {

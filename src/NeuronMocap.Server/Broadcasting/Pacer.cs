@@ -22,7 +22,12 @@ internal abstract class Pacer
     // Read and written under the gate.
     protected bool IsStopping { get; private set; }
 
-    public void Stop()
+    // Called once, before the thread starts.
+    public virtual void Open()
+    {
+    }
+
+    public virtual void Stop()
     {
         lock (Lock)
         {

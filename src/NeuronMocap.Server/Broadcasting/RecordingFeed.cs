@@ -22,7 +22,7 @@ internal sealed class RecordingFeed(RecordingContent content, bool isLooped, boo
         {
             if (_units.TryRead(out ReadOnlySpan<byte> unit, out _))
             {
-                if (!content.Takes(_units))
+                if (!content.Takes(_units.IsCalculation))
                     continue;
 
                 _hasTaken = true;

@@ -38,7 +38,7 @@ internal sealed class RecordingPacer(
 
             foreach ((RecordingContent content, FrameLog log) in streams)
             {
-                if (content.Takes(units))
+                if (content.Takes(units.IsCalculation))
                     log.Publish(unit);
             }
         }

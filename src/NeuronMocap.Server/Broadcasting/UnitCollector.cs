@@ -5,7 +5,8 @@ namespace NeuronMocap.Server.Broadcasting;
 /// <summary>
 /// Cuts the output of an assembler into the units of a broadcast and keeps every byte. Does not allocate once its buffers have grown.
 /// </summary>
-internal sealed class UnitCollector : IPacketReceiver
+/// <param name="keepsIncomplete">Whether the start of a packet that was cut off is kept. Otherwise it is counted.</param>
+internal sealed class UnitCollector(bool keepsIncomplete) : IPacketReceiver
 {
     // When this many bytes do not belong to a packet, they form a unit and no longer wait for a packet.
     public const int MaxNoiseLength = 16 * 1024;
@@ -16,6 +17,10 @@ internal sealed class UnitCollector : IPacketReceiver
     private int _textStart;
     private bool _isText;
     private int _next;
+    private long _incompletePackets;
+
+    // Thread-safe.
+    public long IncompletePackets => Interlocked.Read(ref _incompletePackets);
 
     // Arrival time of the bytes that come next.
     public TimeSpan Time { get; set; }
@@ -49,6 +54,12 @@ internal sealed class UnitCollector : IPacketReceiver
     public void OnSkipped(ReadOnlySpan<byte> bytes, SkipReason reason)
     {
         EndBlanks();
+        if (reason == SkipReason.Incomplete && !keepsIncomplete)
+        {
+            Interlocked.Increment(ref _incompletePackets);
+            return;
+        }
+
         while (bytes.Length > 0)
         {
             int count = Math.Min(bytes.Length, MaxNoiseLength - (_length - Start));

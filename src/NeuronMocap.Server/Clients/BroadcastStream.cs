@@ -13,6 +13,9 @@ internal sealed class BroadcastStream(BroadcastContent content, FrameLog? log, D
     // Null if commands are not answered.
     public DataCommandReplies? Replies => replies;
 
+    // Null if commands are not passed to another server.
+    public RequestForwarder? Forwarder { get; init; }
+
     // Whether this is the calculation stream on its own port.
     public bool IsBeside { get; init; }
 

@@ -10,10 +10,14 @@ namespace NeuronMocap.Server.Clients;
 internal sealed class RequestScanner
 {
     private readonly byte[] _buffer = new byte[4096];
+    private readonly byte[] _request = new byte[ProtocolConstants.HeaderSize];
     private int _count;
 
     // Room for the next bytes.
     public Memory<byte> Room => _buffer.AsMemory(_count);
+
+    // Every byte of the request that was read last.
+    public ReadOnlySpan<byte> Request => _request;
 
     // Takes the bytes that were written to Room.
     public void Advance(int count) => _count += count;
@@ -27,6 +31,7 @@ internal sealed class RequestScanner
         {
             if (DataCommandHeader.TryRead(bytes[start..], out request))
             {
+                bytes.Slice(start, ProtocolConstants.HeaderSize).CopyTo(_request);
                 Drop(start + ProtocolConstants.HeaderSize);
                 return true;
             }

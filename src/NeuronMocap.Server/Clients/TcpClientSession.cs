@@ -7,7 +7,7 @@ namespace NeuronMocap.Server.Clients;
 
 /// <summary>The connection of a TCP client. Clients need not send anything (protocol.md section 4.1).</summary>
 /// <remarks>
-/// Commands of clients are answered between whole packets (section 7). Where the packets of a frame are sent one by one, that can be in the middle
+/// Commands of clients are answered between whole packets (section 7), or passed to the server of a reader. Where the packets of a frame are sent one by one, that can be in the middle
 /// of a frame. Everything that clients send is read. Closing a socket with unread bytes would reset the connection and discard the client's last
 /// frames.
 /// </remarks>
@@ -210,15 +210,11 @@ internal sealed class TcpClientSession : SocketRecipient
             while ((read = await Socket.ReceiveAsync(scanner.Room, SocketFlags.None).ConfigureAwait(false)) > 0)
             {
                 scanner.Advance(read);
-                bool hasReplies = false;
+                bool hasRequests = false;
                 while (scanner.TryRead(out DataCommandHeader request))
-                    hasReplies |= Commands?.Accept(request) ?? false;
+                    hasRequests |= Accept(request, scanner.Request);
 
-                if (!hasReplies)
-                    continue;
-
-                Feed.Wake();
-                if (!_isFinishing)
+                if (hasRequests && !_isFinishing)
                     await Task.Delay(ListeningPause).ConfigureAwait(false);
             }
         }
@@ -226,6 +222,22 @@ internal sealed class TcpClientSession : SocketRecipient
         {
             // The next write reports the error.
         }
+    }
+
+    // Returns whether the request causes work.
+    private bool Accept(in DataCommandHeader request, ReadOnlySpan<byte> bytes)
+    {
+        if (Stream.Forwarder is { } forwarder)
+        {
+            forwarder.Add(bytes);
+            return true;
+        }
+
+        bool hasReplies = Commands?.Accept(request) ?? false;
+        if (hasReplies)
+            Feed.Wake();
+
+        return hasReplies;
     }
 
     // The packets and replies put into the stream between the previous mark and the position End.

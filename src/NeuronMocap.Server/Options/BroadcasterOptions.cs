@@ -26,6 +26,22 @@ public sealed partial class BroadcasterOptions
     /// </remarks>
     public string? RecordingPath { get; set; }
 
+    /// <summary>A reader whose stream is sent on, instead of <see cref="Sources"/>. Default: null.</summary>
+    /// <remarks>
+    /// Every packet and every line of text is sent at once and as it was received: header, index, name, and unknown values. Bytes that are neither precede the
+    /// next packet. Only a packet that was cut off is left out, and counted in <see cref="BroadcasterStatistics.IncompletePackets"/>. Datagrams that
+    /// <see cref="NeuronReaderOptions.AllowedSenders"/> refuses are not sent. Over UDP, each packet becomes one datagram.
+    /// <para>
+    /// The broadcaster neither starts nor disposes the reader, which can run before, or start later. Clients stay connected while the reader has no
+    /// connection. The broadcast is over when the reader has stopped. Several broadcasters can have the same reader.
+    /// </para>
+    /// <para>
+    /// Settings that shape the packets of sources must keep their defaults, as for a recording. The reader must not play a file: set
+    /// <see cref="RecordingPath"/>. A <see cref="CommandRelay"/> passes the command channel on.
+    /// </para>
+    /// </remarks>
+    public NeuronReader? Reader { get; set; }
+
     /// <summary>Speed at which <see cref="RecordingPath"/> is sent, relative to the recorded speed, 0.01 to 100. Default: 1.</summary>
     public double RecordingSpeed { get; set; } = 1;
 
@@ -50,8 +66,8 @@ public sealed partial class BroadcasterOptions
     /// </summary>
     /// <remarks>
     /// Servers normally use two ports, 7001 and 7003 (protocol.md section 4.1). The setting needs <see cref="Calculation"/>,
-    /// <see cref="StudioCalculation"/> or a <see cref="RecordingPath"/>. The calculation packets of a recording then go to this port, whichever way
-    /// they were received.
+    /// <see cref="StudioCalculation"/>, a <see cref="RecordingPath"/> or a <see cref="Reader"/>. The calculation packets of a recording or a reader then go
+    /// to this port, whichever way they were received.
     /// <para>
     /// Over TCP the broadcaster listens on this port and <see cref="BindAddress"/> whenever <see cref="Port"/> is set. 0 takes any free port. Read it
     /// from <see cref="Broadcaster.CalculationEndPoint"/>. Over UDP, calculation packets go to this port of every destination, from a separate
@@ -93,7 +109,7 @@ public sealed partial class BroadcasterOptions
     /// <see cref="ClientTimeout"/> for the exception), and its connection is closed after the last frame. UDP has no flow control, so datagrams are
     /// sent as fast as the system takes them.
     /// </para>
-    /// <para>A recording has its own times and accepts only <see cref="MaxFrameRate"/> or null.</para>
+    /// <para>A recording has its own times and accepts only <see cref="MaxFrameRate"/> or null. A reader accepts only null.</para>
     /// </remarks>
     public double? FrameRate { get; set; }
 
@@ -155,13 +171,17 @@ public sealed partial class BroadcasterOptions
     /// The commands ask for bone sizes, BVH text, the number of avatars, the frequency and the combination mode, and register for changes of them.
     /// Servers newer than b12 do not answer. Requests do not affect other clients: at most 1024 requests of a client wait, and further requests are
     /// dropped and counted.
+    /// <para>
+    /// With a <see cref="Reader"/>, the commands are passed to its server, on the connection of the reader. The replies are part of its stream, so all
+    /// clients receive them. A registration ends with the connection of the reader.
+    /// </para>
     /// </remarks>
     public bool AnswerDataCommands { get; set; } = true;
 
     /// <summary>
     /// Number of frames, each of all avatars, that a client may fall behind at a paced rate before it loses some, 1 to 65,536. Default: 256.
     /// </summary>
-    /// <remarks>All clients share the memory.</remarks>
+    /// <remarks>All clients share the memory. In a recording or the stream of a reader, every packet and line counts as a frame.</remarks>
     public int QueueCapacity { get; set; } = 256;
 
     /// <summary>

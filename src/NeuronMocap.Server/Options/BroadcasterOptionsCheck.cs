@@ -10,10 +10,12 @@ internal static class BroadcasterOptionsCheck
 
     public static void Check(BroadcasterOptions options)
     {
-        if (options.RecordingPath is null)
-            CheckSources(options);
-        else
+        if (options.Reader is not null)
+            CheckReader(options, options.Reader);
+        else if (options.RecordingPath is not null)
             CheckRecording(options);
+        else
+            CheckSources(options);
 
         CheckNetwork(options);
         CheckCalculationPort(options);
@@ -55,8 +57,34 @@ internal static class BroadcasterOptionsCheck
         Require(!options.LoopRecording, nameof(options.LoopRecording), "needs a RecordingPath; use LoopedSource to loop a source", true);
     }
 
-    // Settings that would change packets have no meaning for the packets of a recording.
+    private static void CheckReader(BroadcasterOptions options, NeuronReader reader)
+    {
+        CheckUnchanged(options, "a reader");
+        Require(!reader.IsPlayback, nameof(options.Reader), "must receive from a server; set RecordingPath to send a file", "a reader that plays a file");
+        Require(options.RecordingPath is null, nameof(options.RecordingPath), "must be null with a Reader", options.RecordingPath);
+        Require(options.FrameRate is null, nameof(options.FrameRate), "must be null with a Reader, whose packets are sent when they arrive", options.FrameRate);
+        Require(options.RecordingSpeed == 1, nameof(options.RecordingSpeed), "needs a RecordingPath", options.RecordingSpeed);
+        Require(!options.LoopRecording, nameof(options.LoopRecording), "needs a RecordingPath", true);
+    }
+
     private static void CheckRecording(BroadcasterOptions options)
+    {
+        CheckUnchanged(options, "a recording");
+        Require(
+            options.FrameRate is null or (>= 0.01 and <= 100_000) or BroadcasterOptions.MaxFrameRate,
+            nameof(options.FrameRate),
+            "must be 0.01 to 100,000 Hz, or MaxFrameRate",
+            options.FrameRate);
+        Require(options.RecordingSpeed is >= 0.01 and <= 100, nameof(options.RecordingSpeed), "must be 0.01 to 100", options.RecordingSpeed);
+        Require(
+            options.RecordingSpeed == 1 || options.FrameRate is null or < BroadcasterOptions.MaxFrameRate,
+            nameof(options.RecordingSpeed),
+            "must be 1 when FrameRate is MaxFrameRate",
+            options.RecordingSpeed);
+    }
+
+    // Settings that would change packets have no meaning for packets that were received.
+    private static void CheckUnchanged(BroadcasterOptions options, string content)
     {
         var ordinary = new BroadcasterOptions();
         (string Setting, object? Value, object? Ordinary)[] settings =
@@ -78,19 +106,7 @@ internal static class BroadcasterOptionsCheck
             (nameof(options.DataCommandLength), options.DataCommandLength, null),
         ];
         foreach ((string setting, object? value, object? usual) in settings)
-            Require(Equals(value, usual), setting, "has no effect on a recording, whose bytes are sent unchanged", value);
-
-        Require(
-            options.FrameRate is null or (>= 0.01 and <= 100_000) or BroadcasterOptions.MaxFrameRate,
-            nameof(options.FrameRate),
-            "must be 0.01 to 100,000 Hz, or MaxFrameRate",
-            options.FrameRate);
-        Require(options.RecordingSpeed is >= 0.01 and <= 100, nameof(options.RecordingSpeed), "must be 0.01 to 100", options.RecordingSpeed);
-        Require(
-            options.RecordingSpeed == 1 || options.FrameRate is null or < BroadcasterOptions.MaxFrameRate,
-            nameof(options.RecordingSpeed),
-            "must be 1 when FrameRate is MaxFrameRate",
-            options.RecordingSpeed);
+            Require(Equals(value, usual), setting, $"has no effect on {content}, whose bytes are sent unchanged", value);
     }
 
     private static void CheckRate(BroadcasterOptions options)
@@ -131,7 +147,7 @@ internal static class BroadcasterOptionsCheck
         int? port = options.CalculationPort;
         bool hasCalculation = options.Calculation is not null || options.StudioCalculation is not null;
         Require(port is null or (>= 0 and <= 65_535), nameof(options.CalculationPort), "must be 0 to 65535", port);
-        Require(port is null || hasCalculation || options.RecordingPath is not null, nameof(options.CalculationPort), "needs Calculation, StudioCalculation or a RecordingPath", port);
+        Require(port is null || hasCalculation || options.RecordingPath is not null || options.Reader is not null, nameof(options.CalculationPort), "needs Calculation, StudioCalculation, a RecordingPath or a Reader", port);
         Require(port is null || options.SendMotion, nameof(options.CalculationPort), "must be null without SendMotion: the calculation packets then go to Port and UdpDestinations", port);
         Require(port is null or 0 || port != options.Port, nameof(options.CalculationPort), "must differ from Port", port);
         Require(

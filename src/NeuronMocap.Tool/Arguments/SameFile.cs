@@ -27,6 +27,9 @@ internal static class SameFile
         }
     }
 
+    /// <summary>Whether two names mean the same file.</summary>
+    public static bool IsSame(string one, string other) => string.Equals(Path.GetFullPath(one), Path.GetFullPath(other), Comparison);
+
     private static string PathOf(CommandResult result, Option option) =>
         result.GetResult(option)?.Tokens is [{ Value: var path }] && !string.IsNullOrWhiteSpace(path) ? Path.GetFullPath(path) : string.Empty;
 }

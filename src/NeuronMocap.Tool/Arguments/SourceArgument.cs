@@ -11,13 +11,13 @@ internal sealed class SourceArgument : Argument<Source?>
     /// <summary>Creates the argument.</summary>
     /// <param name="what">What the verb does with the source.</param>
     /// <param name="forms">The forms of a source that the verb accepts.</param>
-    /// <param name="whenLeftOut">The default source.</param>
-    public SourceArgument(string what, string forms, string whenLeftOut)
+    /// <param name="whenLeftOut">The default source; null if it must be given.</param>
+    public SourceArgument(string what, string forms, string? whenLeftOut)
         : base("SOURCE")
     {
         _forms = forms;
-        Description = $"{what}: {forms}. Write an IPv6 address with a port in brackets: [::1]:7001. Default: {whenLeftOut}.";
-        Arity = ArgumentArity.ZeroOrOne;
+        Description = $"{what}: {forms}. Write an IPv6 address with a port in brackets: [::1]:7001.{(whenLeftOut is null ? string.Empty : $" Default: {whenLeftOut}.")}";
+        Arity = whenLeftOut is null ? ArgumentArity.ExactlyOne : ArgumentArity.ZeroOrOne;
         CustomParser = Parse;
         CompletionSources.Add("demo", "tcp://", "udp://:");
     }

@@ -142,7 +142,7 @@ internal static class Broadcast
     }
 
     // Its frames cost nothing to create, like those of the raw loop.
-    private sealed class StillSource : Server.MotionSource
+    internal sealed class StillSource : Server.MotionSource
     {
         public override double FrameRate => Rate;
 

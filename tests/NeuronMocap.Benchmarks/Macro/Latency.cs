@@ -9,9 +9,9 @@ namespace NeuronMocap.Benchmarks.Macro;
 // One frame at a time, from just before the sender passes it to the system until the handler runs. Both processes read the same clock.
 internal static class Latency
 {
-    private const string Median = "median µs";
-    private const string Tail = "p99 µs";
-    private const string Added = "added median µs";
+    public const string Median = "median µs";
+    public const string Tail = "p99 µs";
+    public const string Added = "added median µs";
 
     public static async Task<int> RunAsync(double[] rates, double seconds, int runs, Report report)
     {
@@ -37,13 +37,19 @@ internal static class Latency
         return report.End();
     }
 
-    private static Task<Peer> StartSenderAsync(double rate, double seconds) =>
+    public static Task<Peer> StartSenderAsync(double rate, double seconds) =>
         Peer.StartAsync("pace", "--connections", "1", "--rate", Peer.Text(rate), "--seconds", Peer.Text(seconds));
 
-    private static async Task<Figures> FloorAsync(double rate, double seconds)
+    public static async Task<Figures> FloorAsync(double rate, double seconds)
     {
         using Peer sender = await StartSenderAsync(rate, seconds);
-        using Socket socket = RawReceiver.Connect(sender.Port);
+        return Measure(sender.Port, rate, seconds);
+    }
+
+    // A blocking receive, until the other side ends the connection.
+    public static Figures Measure(int port, double rate, double seconds)
+    {
+        using Socket socket = RawReceiver.Connect(port);
         byte[] buffer = new byte[RawReceiver.BufferSize];
         List<double> delays = new((int)(rate * seconds));
         while (socket.Receive(buffer) is > 0 and var count)

@@ -1,9 +1,10 @@
 using Microsoft.CodeAnalysis;
 using Microsoft.CodeAnalysis.CSharp;
+using NeuronMocap.Tests.Infrastructure;
 
 namespace NeuronMocap.Packaging.Tests.Infrastructure;
 
-/// <summary>Compiles a program as an ASP.NET Core project with a reference to NeuronMocap does.</summary>
+/// <summary>Compiles a program as an ASP.NET Core project with references to NeuronMocap and NeuronMocap.Server does.</summary>
 internal static class ServerCompiler
 {
     // The implicit usings of such a project that the programs need.
@@ -18,6 +19,7 @@ internal static class ServerCompiler
     // The frameworks' assemblies include those of this project, and thus NeuronMocap.
     private static readonly MetadataReference[] References = [.. ((string)AppContext.GetData("TRUSTED_PLATFORM_ASSEMBLIES")!)
         .Split(Path.PathSeparator)
+        .Append(Repository.PathOf("src", "NeuronMocap.Server", "bin", ThePackage.Configuration, "netstandard2.1", "NeuronMocap.Server.dll"))
         .Select(static file => MetadataReference.CreateFromFile(file))];
 
     public static IEnumerable<Diagnostic> FindErrors(string program) => CSharpCompilation

@@ -24,6 +24,8 @@ public sealed class ToolDependencyTests
         ["Watch/Recordings"] = ["Arguments", "Files", "Output", "Terminal", "Watch/Export"],
         ["Watch/Live"] = ["Arguments", "Figures", "Output", "Terminal", "Watch/Playback", "Watch/Recordings"],
         ["Watch"] = ["Arguments", "Files", "Output", "Terminal", "Watch/Export", "Watch/Live", "Watch/Playback", "Watch/Recordings"],
+        ["Relay/Destinations"] = ["Arguments", "Files", "Simulate", "Terminal", "Watch/Export", "Watch/Recordings"],
+        ["Relay"] = ["Arguments", "Files", "Output", "Relay/Destinations", "Simulate", "Terminal", "Watch", "Watch/Live", "Watch/Playback", "Watch/Recordings"],
         ["Play"] = ["Arguments", "Terminal", "Watch", "Watch/Export", "Watch/Playback"],
     });
 

@@ -28,6 +28,7 @@ internal static class VerbHelp
         "play" or "info" => ["a.nmrec"],
         "convert" => ["a.bvh", "b.bvh"],
         "plot" => ["a.bvh", "b.svg"],
+        "relay" => ["studio", "tcp://:0"],
         "command" => ["demo"],
         "completion" => ["bash"],
         _ => [],

@@ -13,6 +13,9 @@ internal sealed class ExportRun : IDisposable
 
     private ExportRun(BvhExport? export, string path) => (_export, _path) = (export, path);
 
+    /// <summary>The export; null if none was requested.</summary>
+    public BvhExport? Export => _export;
+
     /// <summary>Completes when the file cannot be written any more. Null without an export.</summary>
     public Task? Broken => _export is null ? null : WaitForFailureAsync(_export.Completion, () => _export.Failure);
 
@@ -27,7 +30,7 @@ internal sealed class ExportRun : IDisposable
         catch (Exception exception) when (exception is IOException or UnauthorizedAccessException or ArgumentException)
         {
             string hint = File.Exists(settings!.Path) && !settings.Overwrite && InputFile.FindOddKind(settings.Path) is null ? " --overwrite replaces it." : "";
-            throw new ExportException($"--export: {FileFault.OfWriting(exception, settings.Path)}{hint}", exception);
+            throw new ExportException($"{settings.Argument}: {FileFault.OfWriting(exception, settings.Path)}{hint}", exception);
         }
     }
 

@@ -9,6 +9,9 @@ namespace NeuronMocap.Tool.Watch.Export;
 /// <param name="FilePerAvatar">Whether every avatar gets its own file.</param>
 internal sealed record ExportSettings(string Path, bool Overwrite, int? Avatar, bool FilePerAvatar)
 {
+    /// <summary>The argument that names the file, for errors.</summary>
+    public string Argument { get; init; } = "--export";
+
     /// <summary>Creates the options of the export.</summary>
     /// <param name="frames">Number of frames after which the run ends; null for no end.</param>
     public BvhExportOptions ToOptions(long? frames) => new()

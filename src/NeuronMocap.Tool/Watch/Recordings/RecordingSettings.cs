@@ -9,6 +9,9 @@ namespace NeuronMocap.Tool.Watch.Recordings;
 /// <param name="Options">The options of the recording.</param>
 internal sealed record RecordingSettings(string Path, RecordingOptions Options)
 {
+    /// <summary>The argument that names the file, for errors.</summary>
+    public string Argument { get; init; } = "--record";
+
     /// <summary>Starts the recording.</summary>
     /// <param name="reader">The reader to record.</param>
     /// <param name="error">The reason if the recording cannot start.</param>
@@ -22,7 +25,7 @@ internal sealed record RecordingSettings(string Path, RecordingOptions Options)
         }
         catch (Exception exception) when (exception is IOException or UnauthorizedAccessException or ArgumentException)
         {
-            error = $"--record: {Describe(exception)}";
+            error = $"{Argument}: {Describe(exception)}";
             return null;
         }
     }
