@@ -56,8 +56,30 @@ internal readonly record struct OwnNetwork(string Name, IPAddress? Address, int 
         bool isVpn = network.NetworkInterfaceType == NetworkInterfaceType.Ppp || IsVpnNamed(network.Name, network.Description);
         OwnNetwork[] addresses = isUp
             ? [.. network.GetIPProperties().UnicastAddresses.Where(static own => !own.Address.IsIPv6LinkLocal)
-                .Select(own => new OwnNetwork(network.Name, own.Address, own.PrefixLength, isUp, isVpn))]
+                .Select(own => new OwnNetwork(network.Name, own.Address, ReadPrefixLength(own), isUp, isVpn))]
             : [];
         return addresses.Length > 0 ? addresses : [new OwnNetwork(network.Name, Address: null, PrefixLength: 0, isUp, isVpn)];
+    }
+
+    // Mono knows only the mask, which is for IPv4. 0 for an unknown length.
+    private static int ReadPrefixLength(UnicastIPAddressInformation own)
+    {
+        try
+        {
+            return own.PrefixLength;
+        }
+        catch (NotImplementedException)
+        {
+            return own.IPv4Mask is { } mask ? mask.GetAddressBytes().Sum(static part => CountBits(part)) : 0;
+        }
+    }
+
+    private static int CountBits(int part)
+    {
+        int count = 0;
+        for (; part != 0; part &= part - 1)
+            count++;
+
+        return count;
     }
 }
