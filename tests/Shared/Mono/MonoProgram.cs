@@ -12,6 +12,7 @@ internal sealed class MonoProgram(params string[] others) : IDisposable
 {
     private const string Runtime = "/usr/bin/mono";
     private const string Compiler = "/usr/bin/mcs";
+    private const int Aborted = 134;
     private const string Facade = "/usr/lib/mono/4.5/Facades/netstandard.dll";
 
     private readonly string[] _assemblies = ["NeuronMocap.dll", "NeuronMocap.Server.dll", "NeuronMocap.Compatibility.dll", .. others];
@@ -87,12 +88,14 @@ internal sealed class MonoProgram(params string[] others) : IDisposable
         }
 
         string text = await output.Soon();
-        string problems = await error.Soon();
-        Assert.True(process.ExitCode == 0 || IsFaultOfShutdown(process.ExitCode, problems), $"{program} ended with {process.ExitCode}: {text}{problems}");
-        return text.Split('\n', StringSplitOptions.RemoveEmptyEntries);
+        string[] lines = text.Split('\n', StringSplitOptions.RemoveEmptyEntries);
+        int fault = process.ExitCode == Aborted ? Array.FindIndex(lines, IsFaultOfShutdown) : -1;
+        Assert.True(process.ExitCode == 0 || fault >= 0, $"{program} ended with {process.ExitCode}: {text}{await error.Soon()}");
+        return fault >= 0 ? lines[..fault] : lines;
     }
 
-    // Mono 6.8 sometimes aborts after the end of the program, when it stops a thread and cannot create the exception for it. The output is complete then.
-    private static bool IsFaultOfShutdown(int exitCode, string problems) =>
-        exitCode == 134 && problems.Contains("`is_ok (error)' not met", StringComparison.Ordinal) && problems.Contains("type:ThreadAbortException", StringComparison.Ordinal);
+    // Mono 6.8 sometimes aborts after the end of the program, when it stops a thread and cannot create the exception for it. The output of the program is
+    // complete then, and lines of Mono follow.
+    private static bool IsFaultOfShutdown(string line) =>
+        line.StartsWith("* Assertion at ", StringComparison.Ordinal) && line.Contains("type:ThreadAbortException", StringComparison.Ordinal);
 }
