@@ -9,6 +9,7 @@ internal sealed class LocalSource(string name, Func<LocalRecipient> accept) : By
 
     public override ValueTask<Stream> OpenAsync(CancellationToken cancellationToken) => new(new LocalStream(accept()));
 
+    // A live stream has no length and takes nothing. What CanSeek and CanWrite deny throws, as the contract of Stream asks.
     private sealed class LocalStream(LocalRecipient recipient) : Stream
     {
         public override bool CanRead => true;
