@@ -2,6 +2,7 @@ using System.Net;
 using System.Net.Sockets;
 using NeuronMocap.Server.Broadcasting;
 using NeuronMocap.Skeleton;
+using NeuronMocap.Tests.Network;
 using NeuronMocap.Tests.Server;
 
 namespace NeuronMocap.Server.Tests;
@@ -11,11 +12,11 @@ public sealed class BroadcasterLifecycleTests
     [Fact]
     public void A_port_in_use_is_an_error_that_names_the_port()
     {
-        using var first = new Broadcaster(Expect.Options());
-        first.Start();
-        int port = first.LocalEndPoint!.Port;
+        int port = FreePort.Next();
         BroadcasterOptions options = Expect.Options();
         options.Port = port;
+        using var first = new Broadcaster(options);
+        first.Start();
         using var second = new Broadcaster(options);
 
         BroadcasterException exception = Assert.Throws<BroadcasterException>(second.Start);

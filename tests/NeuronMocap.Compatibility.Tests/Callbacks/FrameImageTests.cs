@@ -172,7 +172,7 @@ public sealed class FrameImageTests
 
     private static (IntPtr Service, IPEndPoint Port) Listen(CallbackLog log)
     {
-        var port = new IPEndPoint(IPAddress.Loopback, FreePort.Udp());
+        var port = new IPEndPoint(IPAddress.Loopback, FreePort.Next());
         IntPtr service = log.Listen(port.Port);
         Assert.NotEqual(IntPtr.Zero, service);
         return (service, port);

@@ -100,7 +100,7 @@ public sealed class ScriptTests
     [Fact]
     public async Task A_script_of_b15_listens_to_datagrams_from_macOS()
     {
-        int port = FreePort.Udp();
+        int port = FreePort.Next();
         BroadcasterOptions options = Options(displacement: true, reference: false, fragment: 1024, avatars: 1);
         options.Port = null;
         options.FrameRate = 1000;
@@ -260,7 +260,7 @@ public sealed class ScriptTests
     [InlineData(true)]
     public async Task A_script_of_the_managed_reader_keeps_the_newest_frame_of_each_actor(bool udp)
     {
-        int port = FreePort.Udp();
+        int port = FreePort.Next();
         BroadcasterOptions options = Options(displacement: false, reference: false, fragment: null, avatars: 3);
         options.FrameRate = 240;
         options.Sources = [.. Enumerable.Range(0, 3).Select(static avatar => new TestSource(avatar))];

@@ -56,7 +56,7 @@ public sealed class BlockedCallbackTests : IDisposable
     [Fact]
     public async Task Closing_releases_the_callback_of_a_UDP_service()
     {
-        int port = FreePort.Udp();
+        int port = FreePort.Next();
         using var log = new CallbackLog();
         log.OnFrame = Block;
         IntPtr service = log.Listen(port);

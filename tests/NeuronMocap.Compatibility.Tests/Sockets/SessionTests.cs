@@ -18,7 +18,7 @@ public sealed class SessionTests
         using var other = new TestServer();
         IntPtr managed = NeuronDataReaderManaged.NeuronDataReader.BRConnectTo("127.0.0.1", other.Port);
         using TestConnection connection = await other.AcceptAsync();
-        IntPtr service = log.Listen(FreePort.Udp());
+        IntPtr service = log.Listen(FreePort.Next());
         Assert.Equal(SocketStatus.CS_Running, NeuronDataReader.BRGetSocketStatus(service));
         int told = log.Statuses.Count;
 

@@ -146,7 +146,7 @@ public sealed class DataCommandTests
         using CommandScript commands = CommandScript.Always([1, 0, 0, 0]);
         await using NativeProgram program = NativeProgram.Start("b12");
         string socket = await program.CallAsync($"connect 127.0.0.1 {server.Port}");
-        string service = await program.CallAsync($"udp {FreePort.Udp()}");
+        string service = await program.CallAsync($"udp {FreePort.Next()}");
         string channel = await program.CallAsync($"connect-commands 127.0.0.1 {commands.Port}");
         using TestConnection connection = await server.AcceptAsync();
         Assert.DoesNotContain("(nil)", (string[])[socket, service, channel]);

@@ -19,7 +19,7 @@ public sealed class HandleTests
         [
             Driver.None,
             await driver.ConnectAsync(server.Port),
-            await driver.CallAsync($"udp {FreePort.Udp()}"),
+            await driver.CallAsync($"udp {FreePort.Next()}"),
             await driver.CallAsync($"connect-commands 127.0.0.1 {commands.Port}"),
         ];
         foreach (string handle in handles)
@@ -58,7 +58,7 @@ public sealed class HandleTests
         using var server = new TestServer();
         await using var driver = new Driver();
         (string data, TestConnection connection) = await driver.ConnectAsync(server);
-        string service = await driver.CallAsync($"udp {FreePort.Udp()}");
+        string service = await driver.CallAsync($"udp {FreePort.Next()}");
 
         Assert.Equal("4", await driver.CallAsync("all " + data));
         Assert.Equal("0", await driver.CallAsync("all " + service));

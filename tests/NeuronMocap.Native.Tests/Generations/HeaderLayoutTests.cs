@@ -62,7 +62,7 @@ public sealed class HeaderLayoutTests
     [Fact]
     public async Task Datagrams_come_with_the_old_header_too()
     {
-        int port = FreePort.Udp();
+        int port = FreePort.Next();
         await using NativeProgram program = Start("b12");
         await program.CallAsync("register");
         string service = await program.CallAsync($"udp {port}");

@@ -180,7 +180,7 @@ public sealed class ConnectingDiagnosisTests : IDisposable
     public async Task A_server_that_sends_over_UDP_is_found_behind_a_refused_connection()
     {
         using var sender = new DatagramSender();
-        int port = DatagramSender.FreePort();
+        int port = FreePort.Next();
         Task<StreamDiagnosis> diagnosing = Diagnosing.RunAsync(port);
         StreamDiagnosis diagnosis = await sender.SendUntilAsync(diagnosing, port, static i => [TestPackets.Motion(i)]);
 

@@ -8,7 +8,7 @@ namespace NeuronMocap.Tests.Diagnostics;
 
 public sealed class UdpDiagnosisTests
 {
-    private readonly int _port = DatagramSender.FreePort();
+    private readonly int _port = FreePort.Next();
 
     [Fact]
     public async Task Split_frames_are_joined_and_their_sender_is_named()
@@ -113,7 +113,7 @@ public sealed class UdpDiagnosisTests
     public async Task Datagrams_on_another_usual_port_are_found()
     {
         using var sender = new DatagramSender();
-        int other = DatagramSender.FreePort();
+        int other = FreePort.Next();
         DiagnosisOptions how = Diagnosing.With(Diagnosing.Patient with { Silence = 0.002 });
         how.UsualUdpPorts = [other];
         var options = new NeuronReaderOptions { Transport = TransportKind.Udp, Port = _port };

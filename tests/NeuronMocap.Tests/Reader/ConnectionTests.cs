@@ -12,7 +12,7 @@ public sealed class ConnectionTests
     [Fact]
     public async Task A_refused_connection_names_the_setting()
     {
-        int port = FreePort();
+        int port = FreePort.Next();
         await using var reader = new NeuronReader(new NeuronReaderOptions { Port = port, Reconnect = { Enabled = false } });
         NeuronConnectionException exception = await Assert.ThrowsAsync<NeuronConnectionException>(() => reader.StartAsync().Soon());
         Assert.Equal(ConnectionReason.Refused, exception.Reason);
@@ -172,7 +172,7 @@ public sealed class ConnectionTests
     [Fact]
     public async Task A_server_that_comes_later_is_found()
     {
-        int port = FreePort();
+        int port = FreePort.Next();
         NeuronReaderOptions options = new()
         {
             Port = port,
@@ -209,14 +209,6 @@ public sealed class ConnectionTests
         await connection.SendAsync(TestPackets.Motion(1));
         await reader.WaitForFramesAsync(1);
         end(connection);
-    }
-
-    // A port that was free a moment ago. No test binds fixed ports, so it stays free.
-    private static int FreePort()
-    {
-        using var listener = new TcpListener(IPAddress.Loopback, 0);
-        listener.Start();
-        return ((IPEndPoint)listener.LocalEndpoint).Port;
     }
 
     private sealed class BrokenLink : Link

@@ -2,6 +2,7 @@ using System.Net;
 using System.Net.Sockets;
 using System.Text;
 using System.Text.Json;
+using NeuronMocap.Tests.Network;
 using NeuronMocap.Tool.Tests.Infrastructure;
 
 namespace NeuronMocap.Tool.Tests.Watch;
@@ -173,7 +174,7 @@ public sealed class WatchRunTests
     public async Task Over_udp_only_an_allowed_sender_is_received(string allowed, int exitCode)
     {
         using var sender = new Socket(AddressFamily.InterNetwork, SocketType.Dgram, ProtocolType.Udp);
-        int port = FreeUdpPort();
+        int port = FreePort.Next();
         string longest = exitCode == 0 ? "60" : "4";
         Task<ToolResult> running = ToolRunner.RunAsync("watch", $"udp://:{port}", "--allow-sender", allowed, "--allow-sender", "192.0.2.2", "--frames", "3", "--duration", longest, "--quiet");
         for (int i = 0; !running.IsCompleted; i++)
@@ -212,13 +213,6 @@ public sealed class WatchRunTests
         Assert.Equal(4, result.OfType("frame").Length);
         Assert.Empty(result.OfType("calculation"));
         Assert.Contains("\"index\":0,\"displacement\":true", result.OfType("frame")[0], StringComparison.Ordinal);
-    }
-
-    private static int FreeUdpPort()
-    {
-        using var socket = new Socket(AddressFamily.InterNetwork, SocketType.Dgram, ProtocolType.Udp);
-        socket.Bind(new IPEndPoint(IPAddress.Any, 0));
-        return ((IPEndPoint)socket.LocalEndPoint!).Port;
     }
 
     // Takes every line, one at a time and slowly.

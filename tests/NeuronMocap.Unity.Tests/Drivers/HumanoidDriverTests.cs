@@ -2,6 +2,7 @@ using NeuronMocap.Motion;
 using NeuronMocap.Retargeting;
 using NeuronMocap.Server;
 using NeuronMocap.Skeleton;
+using NeuronMocap.Tests.Network;
 using NeuronMocap.Unity.Tests.Infrastructure;
 
 namespace NeuronMocap.Unity.Tests.Drivers;
@@ -99,7 +100,7 @@ public sealed class HumanoidDriverTests : SourceFixture
         Loop.Frame();
         Assert.Contains("No mocap source", driver.Problem, StringComparison.Ordinal);
 
-        MocapSource source = Add(source => source.Port = FreePort());
+        MocapSource source = Add(source => source.Port = FreePort.Next());
         Loop.RunUntil(() => source.State == SourceState.Waiting);
         Loop.Frame();
         Assert.Equal(source.StatusMessage, driver.Problem);

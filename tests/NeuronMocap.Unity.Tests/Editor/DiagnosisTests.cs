@@ -113,9 +113,7 @@ public class DiagnosisTests
     public async Task A_source_releases_its_UDP_port_during_the_diagnosis()
     {
         using var world = new EditorWorld(play: true);
-        using var probe = new System.Net.Sockets.UdpClient(new System.Net.IPEndPoint(System.Net.IPAddress.Any, 0));
-        int port = ((System.Net.IPEndPoint)probe.Client.LocalEndPoint!).Port;
-        probe.Dispose();
+        int port = FreePort.Next();
         MocapSource source = world.AddSource(source => (source.Transport, source.Port) = (TransportKind.Udp, port));
         world.Loop.RunUntil(() => source.State == SourceState.Connected);
         var inspector = (MocapSourceEditor)world.Inspect(source);

@@ -1,5 +1,4 @@
 using System.Diagnostics;
-using System.Net;
 using NeuronMocap.Server;
 
 namespace NeuronMocap.Unity.Tests.Infrastructure;
@@ -90,12 +89,5 @@ public abstract class SourceFixture : IDisposable
         var watch = Stopwatch.StartNew();
         action();
         return watch.Elapsed.TotalMilliseconds;
-    }
-
-    internal static int FreePort()
-    {
-        using var listener = new System.Net.Sockets.TcpListener(IPAddress.Loopback, 0);
-        listener.Start();
-        return ((IPEndPoint)listener.LocalEndpoint).Port;
     }
 }

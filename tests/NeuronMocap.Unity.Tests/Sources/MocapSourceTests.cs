@@ -115,7 +115,7 @@ public sealed class MocapSourceTests : SourceFixture
     [Fact]
     public void A_restarted_server_is_found_again()
     {
-        int port = FreePort();
+        int port = FreePort.Next();
         var first = new Broadcaster(new BroadcasterOptions { Sources = [new SyntheticSource()], Port = port });
         first.Start();
         MocapSource source = Add(source => source.Port = port);
@@ -139,12 +139,12 @@ public sealed class MocapSourceTests : SourceFixture
     [Fact]
     public void A_performer_without_frames_leaves_and_joins_again()
     {
-        Broadcaster server = Serve(new SyntheticSource());
+        int port = FreePort.Next();
+        Broadcaster server = Serve(new BroadcasterOptions { Sources = [new SyntheticSource()], Port = port });
         MocapSource source = Add(server, static source => (source.IdleTimeout, source.LeaveTimeout) = (0.1f, 0.2f));
         int joined = 0;
         source.PerformerJoined += _ => joined++;
         Performer performer = WaitForPose(source);
-        int port = server.LocalEndPoint!.Port;
         server.Dispose();
         Loop.RunUntil(() => source.Performers.Count == 0);
         Assert.False(performer.IsLive);
@@ -157,7 +157,7 @@ public sealed class MocapSourceTests : SourceFixture
     [Fact]
     public void A_wrong_address_gives_the_reason()
     {
-        MocapSource source = Add(source => source.Port = FreePort());
+        MocapSource source = Add(source => source.Port = FreePort.Next());
         Loop.RunUntil(() => source.State == SourceState.Waiting);
         Assert.Equal(ConnectionReason.Refused, source.Reason);
         Assert.Contains("refused", source.StatusMessage, StringComparison.Ordinal);
@@ -212,7 +212,7 @@ public sealed class MocapSourceTests : SourceFixture
     [Fact]
     public void A_local_address_picks_the_network()
     {
-        int port = FreeUdpPort();
+        int port = FreePort.Next();
         MocapSource source = Add(source => (source.Transport, source.Port, source.LocalAddress) = (TransportKind.Udp, port, " 127.0.0.1 "));
         Loop.RunUntil(() => source.Reader?.Status.LocalEndPoint is not null);
         Assert.Equal(new IPEndPoint(IPAddress.Loopback, port), source.Reader!.Status.LocalEndPoint);
@@ -221,7 +221,7 @@ public sealed class MocapSourceTests : SourceFixture
     [Fact]
     public void Disabling_frees_the_UDP_port_at_once()
     {
-        int port = FreeUdpPort();
+        int port = FreePort.Next();
         MocapSource source = Add(source => (source.Transport, source.Port) = (TransportKind.Udp, port));
         Serve(new BroadcasterOptions { Sources = [new SyntheticSource()], UdpDestinations = [new IPEndPoint(IPAddress.Loopback, port)] });
         for (int i = 0; i < 5; i++)
@@ -239,7 +239,7 @@ public sealed class MocapSourceTests : SourceFixture
     [Fact]
     public void A_live_performer_is_found_first()
     {
-        int port = FreeUdpPort();
+        int port = FreePort.Next();
         MocapSource source = Add(source => (source.Transport, source.Port, source.LeaveTimeout, source.IdleTimeout) = (TransportKind.Udp, port, 0, 0.1f));
         using System.Net.Sockets.UdpClient first = SenderFrom("127.0.0.11"), second = SenderFrom("127.0.0.12");
         var to = new IPEndPoint(IPAddress.Loopback, port);
@@ -311,10 +311,4 @@ public sealed class MocapSourceTests : SourceFixture
     private static void AssertNear(Vector3 expected, Vector3 actual) => Assert.True((expected - actual).magnitude < 1e-5f, $"{expected} {actual}");
 
     private static void AssertNear(Quaternion expected, Quaternion actual) => Assert.True(Quaternion.Angle(expected, actual) < 0.05f, $"{expected} {actual}");
-
-    internal static int FreeUdpPort()
-    {
-        using var socket = new System.Net.Sockets.UdpClient(new IPEndPoint(IPAddress.Loopback, 0));
-        return ((IPEndPoint)socket.Client.LocalEndPoint!).Port;
-    }
 }

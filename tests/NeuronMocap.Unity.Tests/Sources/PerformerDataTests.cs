@@ -1,6 +1,7 @@
 using System.Net;
 using NeuronMocap.Server;
 using NeuronMocap.Skeleton;
+using NeuronMocap.Tests.Network;
 using NeuronMocap.Unity.Tests.Infrastructure;
 
 namespace NeuronMocap.Unity.Tests.Sources;
@@ -106,7 +107,7 @@ public sealed class PerformerDataTests : SourceFixture
     [Fact]
     public void Contacts_arrive_over_a_calculation_port_of_UDP()
     {
-        (int port, int calculationPort) = (MocapSourceTests.FreeUdpPort(), MocapSourceTests.FreeUdpPort());
+        (int port, int calculationPort) = (FreePort.Next(), FreePort.Next());
         MocapSource source = Add(source => (source.Transport, source.Port, source.CalculationPort) = (TransportKind.Udp, port, calculationPort));
         Serve(new BroadcasterOptions
         {
@@ -123,7 +124,7 @@ public sealed class PerformerDataTests : SourceFixture
     [Fact]
     public void A_refused_calculation_port_is_reported_while_the_figure_moves()
     {
-        int port = FreePort();
+        int port = FreePort.Next();
         MocapSource source = Add(Serve(new SyntheticSource()), source => source.CalculationPort = port);
         Performer performer = WaitForPose(source);
         Loop.RunUntil(() => source.StatusMessage.Contains($"Calculation port {port}: connection refused", StringComparison.Ordinal));

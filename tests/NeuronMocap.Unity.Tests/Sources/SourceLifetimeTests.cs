@@ -22,8 +22,8 @@ public sealed class SourceLifetimeTests : SourceFixture
         [
             (SourceState.Connected, source => source.Port = silent.Port),
             (SourceState.Receiving, source => source.Port = server.LocalEndPoint!.Port),
-            (SourceState.Waiting, source => source.Port = FreePort()),
-            (SourceState.Connected, source => (source.Transport, source.Port) = (TransportKind.Udp, FreePort())),
+            (SourceState.Waiting, source => source.Port = FreePort.Next()),
+            (SourceState.Connected, source => (source.Transport, source.Port) = (TransportKind.Udp, FreePort.Next())),
             (SourceState.Receiving, source => source.Kind = SourceKind.Simulator),
             (SourceState.Connecting, source => source.Address = "no such host.invalid"),
             (SourceState.Failed, source => source.Port = 0),

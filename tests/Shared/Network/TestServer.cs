@@ -15,8 +15,7 @@ internal sealed partial class TestServer : IDisposable
 
     public TestServer(IPAddress address, int port = 0)
     {
-        _listener = new TcpListener(address, port);
-        _listener.Start();
+        _listener = port > 0 ? Listen(address, port) : ListenAnywhere(address);
     }
 
     public int Port => ((IPEndPoint)_listener.LocalEndpoint).Port;
@@ -51,6 +50,30 @@ internal sealed partial class TestServer : IDisposable
     }
 
     public void Dispose() => _listener.Dispose();
+
+    // Not on a port that the system assigns: while a closed server's port must refuse connections, or waits for the next server, the system could
+    // assign it to another test.
+    private static TcpListener ListenAnywhere(IPAddress address)
+    {
+        while (true)
+        {
+            try
+            {
+                return Listen(address, FreePort.Candidate());
+            }
+            catch (SocketException exception) when (exception.SocketErrorCode == SocketError.AddressAlreadyInUse)
+            {
+                // Another program uses the port. Tries the next one.
+            }
+        }
+    }
+
+    private static TcpListener Listen(IPAddress address, int port)
+    {
+        var listener = new TcpListener(address, port);
+        listener.Start();
+        return listener;
+    }
 
     // Only some of the test projects can access it.
     static partial void SetStopTimeout(NeuronReaderOptions options);

@@ -12,7 +12,7 @@ public abstract class UdpServiceContract
     public async Task A_service_receives_and_calls_no_status_callback()
     {
         await using VendorDriver driver = Start();
-        int port = FreePort.Udp();
+        int port = FreePort.Next();
         string service = await driver.CallAsync($"udp {port}");
         Assert.Equal("0", await driver.CallAsync("get-status " + service));
 
@@ -34,7 +34,7 @@ public abstract class UdpServiceContract
     public async Task A_frame_in_two_datagrams_is_joined()
     {
         await using VendorDriver driver = Start();
-        int port = FreePort.Udp();
+        int port = FreePort.Next();
         await driver.CallAsync($"udp {port}");
         byte[] packet = TestPackets.Motion(1);
         Send(port, packet[..1024], packet[1024..]);
@@ -49,7 +49,7 @@ public abstract class UdpServiceContract
     public async Task Every_call_starts_its_own_service()
     {
         await using VendorDriver driver = Start();
-        int port = FreePort.Udp();
+        int port = FreePort.Next();
         string first = await driver.CallAsync($"udp {port}");
         string second = await driver.CallAsync($"udp {port}");
         Assert.NotEqual(VendorDriver.None, second);
@@ -87,7 +87,7 @@ public abstract class UdpServiceContract
     public async Task Closing_in_the_frame_callback_makes_that_frame_the_last()
     {
         await using VendorDriver driver = Start();
-        int port = FreePort.Udp();
+        int port = FreePort.Next();
         string service = await driver.CallAsync($"udp {port}");
         await driver.CallAsync("when frame close sender");
 
