@@ -63,7 +63,8 @@ public sealed partial class Broadcaster : IDisposable, IAsyncDisposable
         {
             _forwarder = _options.AnswerDataCommands ? new RequestForwarder(reader, _report) : null;
             _streams = CreateStreams((hasMotion, hasCalculation) => new ReaderContent(reader, hasMotion, hasCalculation));
-            _pacer = new ReaderPacer(reader, [.. _streams.Select(static stream => ((UnitContent)stream.Content, stream.Log!))], OnPacerEnded, _report);
+            _pacer = new ReaderPacer(
+                reader, _streams.Select(static stream => ((UnitContent)stream.Content, stream.Log!)), _forwarder is null ? null : _forwarder.Renew, OnPacerEnded, _report);
             return;
         }
 
@@ -240,6 +241,7 @@ public sealed partial class Broadcaster : IDisposable, IAsyncDisposable
             IsBeside = isBeside,
             IsPacketwise = _isPacketwise,
             Forwarder = _forwarder,
+            IsDirect = _options.Reader is not null && DirectSending.IsSupported,
         };
 
     // One plan for each port.

@@ -11,7 +11,7 @@ namespace NeuronMocap.Server.Clients;
 /// of a frame. Everything that clients send is read. Closing a socket with unread bytes would reset the connection and discard the client's last
 /// frames.
 /// </remarks>
-internal sealed class TcpClientSession : SocketRecipient
+internal sealed class TcpClientSession : SocketRecipient, IDirectRecipient
 {
     // Limits the data that the system buffers for a client that does not read. The default is megabytes, which hold a minute of old frames.
     private const int SendBufferSize = 256 * 1024;
@@ -33,7 +33,15 @@ internal sealed class TcpClientSession : SocketRecipient
     private readonly bool _isPacketwise;
     private readonly TimeSpan _closeTimeout;
     private readonly DataCommandReplies? _replies;
-    private readonly Queue<Mark> _marks = new();
+    private readonly Queue<Milestone> _marks = new();
+
+    // Whether the thread that publishes may send while this session's thread waits for a frame. The socket then never blocks.
+    private readonly bool _isDirect;
+    private readonly int _sendTimeout;
+
+    // The rest of a unit that Take has sent in part.
+    private readonly byte[] _rest;
+    private int _restLength;
     private byte[] _buffer;
     private long _sent;
     private long _motionSent;
@@ -56,14 +64,24 @@ internal sealed class TcpClientSession : SocketRecipient
         socket.SendBufferSize = SendBufferSize;
 
         // A client that vanished reads nothing more. The wait for buffer space ends only when about a third of the buffer is free.
-        socket.SendTimeout = (int)options.ClientTimeout.TotalMilliseconds;
+        _sendTimeout = (int)options.ClientTimeout.TotalMilliseconds;
+        socket.SendTimeout = _sendTimeout;
         // While nothing is sent, only a keep-alive probe can detect that the client is gone.
         TcpKeepAlive.Enable(socket);
         _fragment = options.Fragment;
         _isPacketwise = stream.IsPacketwise && _fragment is null;
         _closeTimeout = options.CloseTimeout;
         _buffer = new byte[ReadSize + (_fragment ?? 0)];
+        _isDirect = stream.IsDirect && _fragment is null;
+        _rest = _isDirect ? new byte[Plan.MaxFrameSize] : [];
+        if (!_isDirect)
+            return;
+
+        socket.Blocking = false;
+        feed.Attach(this);
     }
+
+    bool IDirectRecipient.IsReady => _restLength == 0;
 
     // Closing alone resets a connection in the middle of a write. After a shutdown the client reads the sent bytes and then sees the end.
     public override void Dispose()
@@ -87,6 +105,44 @@ internal sealed class TcpClientSession : SocketRecipient
             Feed.Wake();
     }
 
+    // Runs on the publishing thread while this session's thread waits in ReadFeed, in place of that thread. An error is left to that thread.
+    int IDirectRecipient.Take(UnitBatch units)
+    {
+        int sent;
+        try
+        {
+            sent = Socket.Send(units.Bytes, 0, units.EndOf(units.Count - 1), SocketFlags.None, out SocketError error);
+            if (sent == 0 || error is not (SocketError.Success or SocketError.WouldBlock))
+                return 0;
+        }
+        catch (ObjectDisposedException)
+        {
+            return 0;
+        }
+
+        int taken = 0;
+        while (taken < units.Count && units.StartOf(taken) < sent)
+            taken++;
+
+        // Once a part of a unit is sent, the client must get all of it. The log may overwrite the unit before this session's thread continues.
+        int end = units.EndOf(taken - 1);
+        _restLength = end - sent;
+        units.Bytes.AsSpan(sent, _restLength).CopyTo(_rest);
+        if (_restLength == 0)
+        {
+            Mark(_sent + end, new FrameBatch(end, taken));
+        }
+        else
+        {
+            Mark(_sent + units.StartOf(taken - 1), new FrameBatch(units.StartOf(taken - 1), taken - 1));
+            Mark(_sent + end, new FrameBatch(end, 1));
+        }
+
+        CountSent(sent);
+        CountWritten();
+        return taken;
+    }
+
     protected override bool SendAll()
     {
         _listened = ListenAsync();
@@ -95,10 +151,12 @@ internal sealed class TcpClientSession : SocketRecipient
         do
         {
             FrameBatch batch = ReadFeed(_buffer.AsSpan(kept, ReadSize));
+            if (!WriteRest())
+                return false;
+
             isOver = batch.Bytes == 0 && Feed.HasEnded;
             int filled = AppendReplies(kept + batch.Bytes, out int replies);
-            int motion = Plan.CountMotion(batch);
-            _marks.Enqueue(new Mark(_sent + filled, motion, Plan.HasCalculation ? batch.Packets - motion : 0, replies));
+            Mark(_sent + filled, batch, replies);
             kept = isOver || Feed.IsLive || _fragment is null ? 0 : filled % _fragment.Value;
             if (!Write(filled - kept, batch))
                 return false;
@@ -128,19 +186,55 @@ internal sealed class TcpClientSession : SocketRecipient
             if (offset == end)
                 end = offset + (_isPacketwise && packets < batch.Packets ? NextPacket(offset, batch, packets++) : Math.Min(count - offset, _fragment ?? MaxWrite));
 
-            int sent = Socket.Send(_buffer, offset, end - offset, SocketFlags.None, out SocketError error);
-            if (error is SocketError.TimedOut or SocketError.WouldBlock)
-                DropUnsent();
-            if (error != SocketError.Success)
+            if (!TrySend(_buffer, offset, end - offset, out int sent))
                 return false;
 
             offset += sent;
-            _sent += sent;
-            CountBytes(sent);
         }
 
         CountWritten();
         return true;
+    }
+
+    private bool WriteRest()
+    {
+        for (int offset = 0; offset < _restLength;)
+        {
+            if (!TrySend(_rest, offset, _restLength - offset, out int sent))
+                return false;
+
+            offset += sent;
+        }
+
+        _restLength = 0;
+        return true;
+    }
+
+    // Waits until at least a part is sent. Returns false if the connection must be closed.
+    private bool TrySend(byte[] bytes, int offset, int count, out int sent)
+    {
+        SocketError error;
+        do
+        {
+            sent = Socket.Send(bytes, offset, count, SocketFlags.None, out error);
+        }
+        while (error == SocketError.WouldBlock && _isDirect && WaitForRoom());
+
+        if (error is SocketError.TimedOut or SocketError.WouldBlock)
+            DropUnsent();
+        if (error != SocketError.Success)
+            return false;
+
+        CountSent(sent);
+        return true;
+    }
+
+    private bool WaitForRoom() => Socket.Poll(_sendTimeout < 0 ? Timeout.Infinite : _sendTimeout * 1000, SelectMode.SelectWrite);
+
+    private void CountSent(int bytes)
+    {
+        _sent += bytes;
+        CountBytes(bytes);
     }
 
     // A client that is only a little behind still gets packets one by one, because two packets in one write arrive together.
@@ -152,9 +246,16 @@ internal sealed class TcpClientSession : SocketRecipient
         return Plan.MeasurePacket(_buffer.AsSpan(offset, batch.Bytes - offset), Plan.IsMotion(batch.First + index));
     }
 
+    // Notes what has been sent when the stream reaches a position.
+    private void Mark(long end, in FrameBatch batch, int replies = 0)
+    {
+        int motion = Plan.CountMotion(batch);
+        _marks.Enqueue(new Milestone(end, motion, Plan.HasCalculation ? batch.Packets - motion : 0, replies));
+    }
+
     private void CountWritten()
     {
-        while (_marks.TryPeek(out Mark mark) && mark.End <= _sent)
+        while (_marks.TryPeek(out Milestone mark) && mark.End <= _sent)
         {
             _marks.Dequeue();
             _motionSent += mark.Motion;
@@ -229,7 +330,7 @@ internal sealed class TcpClientSession : SocketRecipient
     {
         if (Stream.Forwarder is { } forwarder)
         {
-            forwarder.Add(bytes);
+            forwarder.Add(this, request, bytes);
             return true;
         }
 
@@ -240,6 +341,6 @@ internal sealed class TcpClientSession : SocketRecipient
         return hasReplies;
     }
 
-    // The packets and replies put into the stream between the previous mark and the position End.
-    private readonly record struct Mark(long End, int Motion, int Calculation, int Replies);
+    // The packets and replies put into the stream between the previous milestone and the position End.
+    private readonly record struct Milestone(long End, int Motion, int Calculation, int Replies);
 }
