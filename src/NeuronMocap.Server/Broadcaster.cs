@@ -17,7 +17,8 @@ namespace NeuronMocap.Server;
 /// TCP clients only have to connect; they need not send anything. A client can neither end a broadcast nor affect another client.
 /// <para>
 /// All members are thread-safe. One thread listens, one makes the frames of a paced broadcast, and each recipient has a thread that writes to it.
-/// All of them are background threads.
+/// All of them are background threads. On .NET, packets of a <see cref="BroadcasterOptions.Reader"/> are sent on its receive thread to recipients that keep
+/// up; it never waits for them.
 /// </para>
 /// </remarks>
 public sealed partial class Broadcaster : IDisposable, IAsyncDisposable

@@ -1,3 +1,4 @@
+using System.Net;
 using System.Net.Sockets;
 using System.Runtime.InteropServices;
 using NeuronMocap.Protocol;
@@ -42,6 +43,49 @@ public sealed class BroadcasterReaderDirectTests
             while (client.Socket.Available >= packet.Length)
                 client.Socket.Receive(packet);
         }
+    }
+
+    [Fact]
+    public async Task A_udp_destination_is_served_on_the_receive_thread_and_one_that_nobody_opened_loses_only_its_own()
+    {
+        if (!DirectSending.IsSupported)
+            Assert.Skip("This build of the library sends on the threads of the clients.");
+
+        await using var reader = new NeuronReader("127.0.0.1");
+        using Socket receiver = Broadcasts.Receiver();
+        var nobody = new IPEndPoint(IPAddress.Loopback, FreePort.Next());
+        var somebody = (IPEndPoint)receiver.LocalEndPoint!;
+        await using Broadcaster broadcaster = Broadcasts.Started(new BroadcasterOptions { Reader = reader, Port = null, UdpDestinations = [nobody, somebody] });
+        reader.Tap.Open(isDatagrams: false, local: null, remote: null, 0);
+        byte[] buffer = new byte[65_536];
+        byte[] packet = TestPackets.Motion(0);
+        for (int index = 0; index < 100; index++)
+        {
+            reader.Tap.OnBytes(0, [], (byte[])[.. TestPackets.Motion(2 * index), .. TestPackets.Motion((2 * index) + 1)], index);
+            for (int half = 0; half < 2; half++)
+            {
+                int count = await receiver.ReceiveAsync(buffer.AsMemory(), SocketFlags.None, TestContext.Current.CancellationToken).Soon();
+                Assert.Equal(TestPackets.Motion((2 * index) + half), buffer[..count]);
+            }
+        }
+
+        await Limits.UntilAsync(() => Sent() == 200);
+        await Limits.UntilAsync(() =>
+        {
+            long before = Sent();
+            Push();
+            return Sent() == before + 1;
+        });
+        Allocations.AssertNone(Push);
+
+        void Push()
+        {
+            reader.Tap.OnBytes(0, [], packet, 1000);
+            while (receiver.Available > 0)
+                receiver.Receive(buffer);
+        }
+
+        long Sent() => broadcaster.GetClients().Single(client => somebody.Equals(client.RemoteEndPoint)).FramesSent;
     }
 
     // The client stalls and catches up again and again, so that its packets go in turn through the receive thread and through its own thread.
