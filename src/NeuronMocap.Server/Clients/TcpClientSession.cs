@@ -7,11 +7,11 @@ namespace NeuronMocap.Server.Clients;
 
 /// <summary>The connection of a TCP client. Clients need not send anything (protocol.md section 4.1).</summary>
 /// <remarks>
-/// Commands of clients are answered between whole packets (section 7), or passed to the server of a reader. Where the packets of a frame are sent one by one, that can be in the middle
-/// of a frame. Everything that clients send is read. Closing a socket with unread bytes would reset the connection and discard the client's last
-/// frames.
+/// Commands of clients are answered between whole packets (section 7), or passed to the server of a reader. Where the packets of a frame are sent one
+/// by one, that can be in the middle of a frame. Everything that clients send is read. Closing a socket with unread bytes would reset the connection
+/// and discard the client's last frames.
 /// </remarks>
-internal sealed class TcpClientSession : SocketRecipient, IDirectRecipient
+internal sealed partial class TcpClientSession : SocketRecipient
 {
     // Limits the data that the system buffers for a client that does not read. The default is megabytes, which hold a minute of old frames.
     private const int SendBufferSize = 256 * 1024;
@@ -39,9 +39,6 @@ internal sealed class TcpClientSession : SocketRecipient, IDirectRecipient
     private readonly bool _isDirect;
     private readonly int _sendTimeout;
 
-    // The rest of a unit that Take has sent in part.
-    private readonly byte[] _rest;
-    private int _restLength;
     private byte[] _buffer;
     private long _sent;
     private long _motionSent;
@@ -81,8 +78,6 @@ internal sealed class TcpClientSession : SocketRecipient, IDirectRecipient
         feed.Attach(this);
     }
 
-    bool IDirectRecipient.IsReady => _restLength == 0;
-
     // Closing alone resets a connection in the middle of a write. After a shutdown the client reads the sent bytes and then sees the end.
     public override void Dispose()
     {
@@ -103,44 +98,6 @@ internal sealed class TcpClientSession : SocketRecipient, IDirectRecipient
     {
         if (Commands?.Push(id, avatar) == true)
             Feed.Wake();
-    }
-
-    // Runs on the publishing thread while this session's thread waits in ReadFeed, in place of that thread. An error is left to that thread.
-    int IDirectRecipient.Take(UnitBatch units)
-    {
-        int sent;
-        try
-        {
-            sent = Socket.Send(units.Bytes, 0, units.EndOf(units.Count - 1), SocketFlags.None, out SocketError error);
-            if (sent == 0 || error is not (SocketError.Success or SocketError.WouldBlock))
-                return 0;
-        }
-        catch (ObjectDisposedException)
-        {
-            return 0;
-        }
-
-        int taken = 0;
-        while (taken < units.Count && units.StartOf(taken) < sent)
-            taken++;
-
-        // Once a part of a unit is sent, the client must get all of it. The log may overwrite the unit before this session's thread continues.
-        int end = units.EndOf(taken - 1);
-        _restLength = end - sent;
-        units.Bytes.AsSpan(sent, _restLength).CopyTo(_rest);
-        if (_restLength == 0)
-        {
-            Mark(_sent + end, new FrameBatch(end, taken));
-        }
-        else
-        {
-            Mark(_sent + units.StartOf(taken - 1), new FrameBatch(units.StartOf(taken - 1), taken - 1));
-            Mark(_sent + end, new FrameBatch(end, 1));
-        }
-
-        CountSent(sent);
-        CountWritten();
-        return taken;
     }
 
     protected override bool SendAll()
@@ -193,20 +150,6 @@ internal sealed class TcpClientSession : SocketRecipient, IDirectRecipient
         }
 
         CountWritten();
-        return true;
-    }
-
-    private bool WriteRest()
-    {
-        for (int offset = 0; offset < _restLength;)
-        {
-            if (!TrySend(_rest, offset, _restLength - offset, out int sent))
-                return false;
-
-            offset += sent;
-        }
-
-        _restLength = 0;
         return true;
     }
 
