@@ -68,7 +68,7 @@ public readonly record struct BroadcasterStatistics
     /// <summary>Commands on data connections that were dropped because 1024 commands of the same client were waiting.</summary>
     /// <remarks>
     /// With a <see cref="BroadcasterOptions.Reader"/>: commands of all clients that could not be passed to its server, because it was not connected or 1024
-    /// commands were waiting.
+    /// commands were waiting. A registration that waits for a connection is not one of them.
     /// </remarks>
     public long RequestsDropped { get; }
 }

@@ -15,7 +15,7 @@ namespace NeuronMocap.Tool.Output;
 /// enough. Not thread-safe.
 /// </remarks>
 [SuppressMessage("Design", "CA1001", Justification = "The writer holds nothing but the buffer.")]
-internal sealed class JsonLines
+internal sealed partial class JsonLines
 {
     private static readonly JsonEncodedText[] Orders = [.. Enum.GetNames<RotationOrder>().Select(static name => JsonEncodedText.Encode(name))];
 
@@ -138,20 +138,7 @@ internal sealed class JsonLines
 
     public ReadOnlySpan<byte> Summary(ReaderStatistics statistics)
     {
-        Begin("summary"u8);
-        _json.WriteNumber("frames"u8, statistics.MotionFrames);
-        _json.WriteNumber("calculationFrames"u8, statistics.CalculationFrames);
-        _json.WriteNumber("lost"u8, statistics.Lost);
-        _json.WriteNumber("dropped"u8, statistics.Dropped);
-        _json.WriteNumber("skippedBytes"u8, statistics.BytesSkipped);
-        _json.WriteNumber("seconds"u8, statistics.Duration.TotalSeconds);
-        _json.WriteNumber("gaps"u8, statistics.Gaps);
-        _json.WriteNumber("restarts"u8, statistics.Restarts);
-        _json.WriteNumber("reconnects"u8, statistics.Reconnects);
-        _json.WriteNumber("studioCalculationFrames"u8, statistics.StudioCalculationFrames);
-        _json.WriteNumber("refusedDatagrams"u8, statistics.RefusedDatagrams);
-        _json.WriteNumber("calculationReconnects"u8, statistics.CalculationReconnects);
-        WriteTime(Stopwatch.GetTimestamp());
+        BeginSummary(statistics);
         return End();
     }
 
@@ -195,6 +182,24 @@ internal sealed class JsonLines
         _json.Reset();
         _json.WriteStartObject();
         _json.WriteString("type"u8, type);
+    }
+
+    private void BeginSummary(ReaderStatistics statistics)
+    {
+        Begin("summary"u8);
+        _json.WriteNumber("frames"u8, statistics.MotionFrames);
+        _json.WriteNumber("calculationFrames"u8, statistics.CalculationFrames);
+        _json.WriteNumber("lost"u8, statistics.Lost);
+        _json.WriteNumber("dropped"u8, statistics.Dropped);
+        _json.WriteNumber("skippedBytes"u8, statistics.BytesSkipped);
+        _json.WriteNumber("seconds"u8, statistics.Duration.TotalSeconds);
+        _json.WriteNumber("gaps"u8, statistics.Gaps);
+        _json.WriteNumber("restarts"u8, statistics.Restarts);
+        _json.WriteNumber("reconnects"u8, statistics.Reconnects);
+        _json.WriteNumber("studioCalculationFrames"u8, statistics.StudioCalculationFrames);
+        _json.WriteNumber("refusedDatagrams"u8, statistics.RefusedDatagrams);
+        _json.WriteNumber("calculationReconnects"u8, statistics.CalculationReconnects);
+        WriteTime(Stopwatch.GetTimestamp());
     }
 
     private void WriteAvatar(AvatarFrame frame)
