@@ -98,11 +98,12 @@ internal sealed class RelayFlow(NeuronReader reader, string source, IReadOnlyLis
 
         public double PerSecond => _sent.PerSecond;
 
-        public bool IsHealthy => Figures.Failure is null && _dropped.PerSecond == 0;
+        public bool IsHealthy => Figures.Failure is null && Figures.Note is null && _dropped.PerSecond == 0;
 
         public string State => this switch
         {
             { Figures.Failure: { } reason } => $"failed: {reason}",
+            { Figures.Note: { } note } => note,
             { IsHealthy: false } => "dropping: slow or not reachable",
             { Figures.Clients: 0 } => "waiting for clients",
             { PerSecond: 0 } => "idle",
