@@ -280,7 +280,7 @@ public sealed partial class CommandLineTests
     [InlineData("convert", "--from", "--to", "--resample", "--order", "--output-order", "--avatar", "--rate", "--overwrite")]
     [InlineData("plot", "--from", "--to", "--order", "--avatar", "--rate", "--overwrite")]
     [InlineData("command", "--avatar", "--json")]
-    [InlineData("relay", "--commands", "--duration", "--once", "--overwrite", "--pose-rate", "--pose-scale", "--osc-space", "--command-port", "--calculation-port", "--speed", "--rate", "--loop")]
+    [InlineData("relay", "--commands", "--duration", "--once", "--overwrite", "--pose-rate", "--pose-scale", "--vmc-move", "--osc-space", "--command-port", "--calculation-port", "--speed", "--rate", "--loop")]
     [InlineData("simulate", "--port", "--bvh", "--calc", "--play", "--speed", "--udp", "--calculation-port", "--command-port", "--bind")]
     public async Task The_options_that_scripts_rely_on_exist(string verb, params string[] options)
     {

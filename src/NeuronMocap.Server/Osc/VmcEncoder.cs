@@ -1,11 +1,13 @@
+using System.Numerics;
 using NeuronMocap.Skeleton;
 
 namespace NeuronMocap.Server.Osc;
 
 /// <summary>Writes poses as messages of the Virtual Motion Capture protocol. One thread uses it.</summary>
 /// <param name="scale">The factor of all positions.</param>
+/// <param name="movesRoot">Whether the root moves over the ground instead of the hips.</param>
 /// <param name="start">The instant that counts as 0, in ticks of the stopwatch.</param>
-internal sealed class VmcEncoder(float scale, long start) : IPoseEncoder
+internal sealed class VmcEncoder(float scale, bool movesRoot, long start) : IPoseEncoder
 {
     private const int TransformSize = 7 * sizeof(float);
 
@@ -22,8 +24,11 @@ internal sealed class VmcEncoder(float scale, long start) : IPoseEncoder
         if (!rig.TryPose(pose.Local))
             return false;
 
-        OscHead.Write(bundle.Add(Root, TransformSize), System.Numerics.Vector3.Zero, System.Numerics.Quaternion.Identity);
-        for (int node = 0; node < heads.Length; node++)
+        Vector3 hips = rig.Positions[0] * scale;
+        Vector3 root = movesRoot ? new Vector3(hips.X, 0, hips.Z) : Vector3.Zero;
+        OscHead.Write(bundle.Add(Root, TransformSize), root, Quaternion.Identity);
+        OscHead.Write(bundle.Add(heads[0], TransformSize), hips - root, rig.Rotations[0]);
+        for (int node = 1; node < heads.Length; node++)
             OscHead.Write(bundle.Add(heads[node], TransformSize), rig.Positions[node] * scale, rig.Rotations[node]);
 
         // Receivers show a frame when they get one of these.

@@ -33,7 +33,7 @@ public sealed class VmcSender : PoseSender
             reader,
             options.ToSettings(),
             new AvatarPoses(new AvatarChoice(options.AvatarIndex, options.AvatarName, onlyOne: true)),
-            new VmcEncoder(options.Scale, start))
+            new VmcEncoder(options.Scale, options.MoveRoot, start))
     {
     }
 }

@@ -28,6 +28,12 @@ public sealed class VmcSenderOptions
     public float Scale { get; set; } = 1;
 
     /// <summary>
+    /// Whether the root moves over the ground with the performer, instead of the hips. Set it for receivers that take no positions of bones, so that their
+    /// model walks, too. Default: false.
+    /// </summary>
+    public bool MoveRoot { get; set; }
+
+    /// <summary>
     /// Size of the largest datagram in bytes, 512 to 65,507. A pose has about 4,300 bytes. Default: 1400, which every network carries in one piece.
     /// </summary>
     public int MaxDatagramSize { get; set; } = 1400;

@@ -26,14 +26,14 @@ public sealed class PoseDestinationTests : IDisposable
     [Fact]
     public async Task Vmc_gets_the_chosen_avatar()
     {
-        ToolResult result = await RelayAsync($"vmc://{_receiver.LocalEndPoint}/Bob", "--pose-rate", "0", "--pose-scale", "0.5");
+        ToolResult result = await RelayAsync($"vmc://{_receiver.LocalEndPoint}/Bob", "--pose-rate", "0", "--pose-scale", "0.5", "--vmc-move", "root");
         Assert.Equal(0, result.ExitCode);
         Assert.Contains($"Sending poses to vmc://{_receiver.LocalEndPoint}/Bob", result.Output);
         List<byte[]> datagrams = Receive();
 
         // Bob's hips are at 200 cm, and the scale halves that.
-        byte[] hips = Find(datagrams[^4], "/VMC/Ext/Bone/Pos\0\0\0,sfffffff\0\0\0Hips\0\0\0\0");
-        Assert.Equal([-1f, 0f, 0f, 0f, 0f, 0f, 1f], Numbers(hips));
+        byte[] root = Find(datagrams[^4], "/VMC/Ext/Root/Pos\0\0\0,sfffffff\0\0\0root\0\0\0\0");
+        Assert.Equal([-1f, 0f, 0f, 0f, 0f, 0f, 1f], Numbers(root));
         Assert.All(datagrams, static datagram => Assert.InRange(datagram.Length, 1, 1400));
         CheckSummary(result, datagrams.Count(static datagram => Contains(datagram, "/VMC/Ext/T\0")));
     }
@@ -77,6 +77,8 @@ public sealed class PoseDestinationTests : IDisposable
     [InlineData("vmc://127.0.0.1:7012 would send the source udp://:7012 to itself.", "udp://:7012", "vmc://127.0.0.1:7012")]
     [InlineData("--pose-rate needs a destination vmc:// or osc://", "demo", "tcp://:0", "--pose-rate", "30")]
     [InlineData("--pose-scale needs a destination vmc:// or osc://", "demo", "tcp://:0", "--pose-scale", "2")]
+    [InlineData("--vmc-move needs a destination vmc://", "demo", "osc://a:1", "--vmc-move", "root")]
+    [InlineData("--vmc-move: 'feet' is not hips or root.", "demo", "vmc://a:1", "--vmc-move", "feet")]
     [InlineData("--osc-space needs a destination osc://", "demo", "vmc://a:1", "--osc-space", "local")]
     [InlineData("--osc-space: 'moon' is not world or local.", "demo", "osc://a:1", "--osc-space", "moon")]
     [InlineData("--pose-rate: '1001' is not 0, or a number from 0.01 to 1000.", "demo", "osc://a:1", "--pose-rate", "1001")]

@@ -14,6 +14,9 @@ internal sealed record PoseSettings
     /// <summary>The factor of all positions.</summary>
     public float Scale { get; init; } = 1;
 
+    /// <summary>Whether VMC moves the root over the ground, instead of the hips.</summary>
+    public bool MoveRoot { get; init; }
+
     /// <summary>What plain OSC transforms are relative to.</summary>
     public OscSpace Space { get; init; }
 }
@@ -21,7 +24,7 @@ internal sealed record PoseSettings
 /// <summary>The options for destinations vmc:// and osc://.</summary>
 internal sealed class PoseArguments
 {
-    private const string World = "world";
+    private const string Root = "root";
     private const string Local = "local";
 
     private readonly Option<double?> _rate = new("--pose-rate")
@@ -41,35 +44,23 @@ internal sealed class PoseArguments
         Arity = ArgumentArity.ExactlyOne,
     };
 
-    private readonly Option<OscSpace?> _space = new("--osc-space")
-    {
-        HelpName = $"{World}|{Local}",
-        Description = "With osc://: send the transforms of bones in the world, or relative to their parents. Default: world.",
-        CustomParser = static result =>
-        {
-            string text = result.Tokens[0].Value;
-            if (text.Equals(World, StringComparison.OrdinalIgnoreCase))
-                return OscSpace.World;
-            if (text.Equals(Local, StringComparison.OrdinalIgnoreCase))
-                return OscSpace.Local;
+    private readonly Option<string?> _move = Choice(
+        "--vmc-move", "With vmc://: move the hips over the ground, or the root, for programs that take no positions of bones. Default: hips.", "hips", Root);
 
-            result.AddError($"--osc-space: '{text}' is not {World} or {Local}.");
-            return null;
-        },
-        Arity = ArgumentArity.ExactlyOne,
-    };
+    private readonly Option<string?> _space = Choice(
+        "--osc-space", "With osc://: send the transforms of bones in the world, or relative to their parents. Default: world.", "world", Local);
 
-    public PoseArguments() => _space.CompletionSources.Add(World, Local);
-
-    public Option[] All => [_rate, _scale, _space];
+    public Option[] All => [_rate, _scale, _move, _space];
 
     /// <summary>Adds an error for every option that none of the destinations has a use for.</summary>
     public void Reject(CommandResult result, IReadOnlyList<Destination> destinations)
     {
         bool hasPoses = destinations.Any(static to => to is PoseDestination);
+        bool hasVmc = destinations.Any(static to => to is VmcDestination);
         bool hasOsc = destinations.Any(static to => to is OscDestination);
         Reject(result, _rate, hasPoses, "vmc:// or osc://: other destinations get every packet");
         Reject(result, _scale, hasPoses, "vmc:// or osc://: other destinations get packets as they came");
+        Reject(result, _move, hasVmc, "vmc://: other destinations have no root");
         Reject(result, _space, hasOsc, "osc://: VMC has transforms relative to the parents");
     }
 
@@ -81,13 +72,35 @@ internal sealed class PoseArguments
         {
             Rate = result.GetValue(_rate) ?? defaults.Rate,
             Scale = (float)(result.GetValue(_scale) ?? defaults.Scale),
-            Space = result.GetValue(_space) ?? defaults.Space,
+            MoveRoot = Root.Equals(result.GetValue(_move), StringComparison.OrdinalIgnoreCase),
+            Space = Local.Equals(result.GetValue(_space), StringComparison.OrdinalIgnoreCase) ? OscSpace.Local : OscSpace.World,
         };
         return [.. destinations.Select(to => to is PoseDestination pose ? pose with { Settings = settings } : to)];
     }
 
     private static double? Parse(ArgumentResult result, double least, double most, string expected) =>
         result.Tokens[0].Value is "0" ? 0 : NumberArgument.Parse(result, least, most, expected);
+
+    // An option with two words as its values.
+    private static Option<string?> Choice(string name, string description, params string[] words)
+    {
+        var option = new Option<string?>(name)
+        {
+            HelpName = string.Join('|', words),
+            Description = description,
+            CustomParser = result =>
+            {
+                string text = result.Tokens[0].Value;
+                if (!words.Contains(text, StringComparer.OrdinalIgnoreCase))
+                    result.AddError($"{name}: '{text}' is not {string.Join(" or ", words)}.");
+
+                return text;
+            },
+            Arity = ArgumentArity.ExactlyOne,
+        };
+        option.CompletionSources.Add(words);
+        return option;
+    }
 
     private static void Reject(CommandResult result, Option option, bool isUseful, string needed)
     {

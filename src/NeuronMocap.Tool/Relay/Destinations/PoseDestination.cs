@@ -69,6 +69,7 @@ internal sealed record VmcDestination(string Text, ServerAddress Address, string
         AvatarName = AvatarName,
         MaxRate = Settings.Rate,
         Scale = Settings.Scale,
+        MoveRoot = Settings.MoveRoot,
     });
 }
 
