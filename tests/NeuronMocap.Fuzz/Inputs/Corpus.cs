@@ -21,6 +21,7 @@ internal sealed record Corpus(IReadOnlyList<byte[]> Fixtures, int OwnCount, IRea
         CorpusKind.Recordings => With(RecordingFixtures.Create(), RecordingFixtures.Words, []),
         CorpusKind.Calculation => With(CalculationFixtures.Create(), CalculationFixtures.Words, Find(data, "*.calc")),
         CorpusKind.Poses => With(PoseFixtures.Create(), PoseFixtures.Words, []),
+        CorpusKind.Osc => With(OscFixtures.Create(), OscFixtures.Words, []),
         CorpusKind.Files => With(FileFixtures.Create(), FileFixtures.Words, []),
         _ => throw new ArgumentOutOfRangeException(nameof(kind)),
     };

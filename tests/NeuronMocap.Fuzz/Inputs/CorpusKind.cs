@@ -24,6 +24,9 @@ internal enum CorpusKind
     /// <summary>Compact poses.</summary>
     Poses,
 
+    /// <summary>Datagrams of OSC.</summary>
+    Osc,
+
     /// <summary>Files of every kind that the file tools read.</summary>
     Files,
 }

@@ -46,7 +46,7 @@ public sealed class DependencyTests
         ["Options"] = ["Faults", "Sources"],
         ["Broadcasting"] = ["Faults", "Options", "Sources"],
         ["Clients"] = ["Broadcasting", "Faults", "Options", "Sources"],
-        // Poses of a reader for other programs.
+        // Poses of a reader for other programs, and poses of other programs for a reader.
         ["Osc"] = [],
     });
 

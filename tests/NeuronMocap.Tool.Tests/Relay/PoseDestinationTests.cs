@@ -4,6 +4,7 @@ using System.Net;
 using System.Net.Sockets;
 using System.Text;
 using NeuronMocap.Recording;
+using NeuronMocap.Server;
 using NeuronMocap.Tool.Tests.Files;
 using NeuronMocap.Tool.Tests.Infrastructure;
 
@@ -50,6 +51,21 @@ public sealed class PoseDestinationTests : IDisposable
     }
 
     [Fact]
+    public async Task Another_program_is_a_source_over_vmc()
+    {
+        int port = NeuronMocap.Tests.Network.FreePort.Next();
+        await using Broadcaster demo = Broadcaster.StartDemo();
+        await using var reader = new NeuronReader("127.0.0.1", demo.LocalEndPoint!.Port);
+        await using var sender = new VmcSender(reader, new VmcSenderOptions { Port = port });
+        sender.Start();
+        reader.Start();
+        ToolResult result = await ToolRunner.RunAsync("watch", $"vmc://127.0.0.1:{port}", "--json", "--frames", "3");
+        Assert.Equal(0, result.ExitCode);
+        Assert.Contains($"\"source\":\"vmc://127.0.0.1:{port}\"", result.Output[0], StringComparison.Ordinal);
+        Assert.Equal(3, result.Output.Count(static line => line.StartsWith("{\"type\":\"frame\",\"avatar\":0,\"name\":\"VMC\"", StringComparison.Ordinal)));
+    }
+
+    [Fact]
     public async Task A_host_name_without_an_address_is_one_line()
     {
         foreach (string destination in (string[])["vmc://no-such-computer.invalid:39539", "osc://no-such-computer.invalid:9000/0"])
@@ -75,6 +91,8 @@ public sealed class PoseDestinationTests : IDisposable
     [InlineData("'osc://studio/0' names no computer and port", "demo", "osc://studio/0")]
     [InlineData("vmc://a:1/0 and osc://a:1 are the same destination.", "demo", "vmc://a:1/0", "osc://a:1")]
     [InlineData("vmc://127.0.0.1:7012 would send the source udp://:7012 to itself.", "udp://:7012", "vmc://127.0.0.1:7012")]
+    [InlineData("vmc://127.0.0.1:7012 would send the source vmc://:7012 to itself.", "vmc://:7012", "vmc://127.0.0.1:7012")]
+    [InlineData("--local-address needs a server or udp://:PORT as the source", "vmc://:7012", "vmc://a:1", "--local-address", "127.0.0.1")]
     [InlineData("--pose-rate needs a destination vmc:// or osc://", "demo", "tcp://:0", "--pose-rate", "30")]
     [InlineData("--pose-scale needs a destination vmc:// or osc://", "demo", "tcp://:0", "--pose-scale", "2")]
     [InlineData("--vmc-move needs a destination vmc://", "demo", "osc://a:1", "--vmc-move", "root")]
