@@ -16,8 +16,9 @@ namespace NeuronMocap.Server;
 /// </remarks>
 public abstract class PoseSender : IDisposable, IAsyncDisposable
 {
-    // The newest frame of each avatar is kept outside of the queue. The queue is for a thread that the system does not run.
+    // The newest frame of each avatar is kept outside of the queue. The queue holds what arrives while the system does not run the thread.
     private const int QueueCapacity = 256;
+    private const string QueueName = "poses";
 
     private readonly object _lock = new();
     private readonly TaskCompletionSource<bool> _completion = new(TaskCreationOptions.RunContinuationsAsynchronously);
@@ -62,7 +63,13 @@ public abstract class PoseSender : IDisposable, IAsyncDisposable
             if (_queue is not null)
                 throw new InvalidOperationException("The sender has already been started.");
 
-            _queue = _reader.OpenQueue(new FrameQueueOptions { Capacity = QueueCapacity, WhenFull = WhenFull.DropOldest, MaxRate = _settings.MaxRate });
+            _queue = _reader.OpenMotionQueue(new FrameQueueOptions
+            {
+                Capacity = QueueCapacity,
+                Name = QueueName,
+                WhenFull = WhenFull.DropOldest,
+                MaxRate = _settings.MaxRate,
+            });
         }
 
         _target.Prepare();
@@ -117,7 +124,7 @@ public abstract class PoseSender : IDisposable, IAsyncDisposable
         {
             while (await queue.WaitAsync().ConfigureAwait(false))
             {
-                queue.Pump<MotionFrame, AvatarPoses>(_poses, static (poses, frame) => poses.Take(frame));
+                queue.Pump<MotionFrame, AvatarPoses>(_poses, static (poses, frame) => poses.Take(frame), QueueCapacity);
                 SendPending();
             }
         }
@@ -133,8 +140,9 @@ public abstract class PoseSender : IDisposable, IAsyncDisposable
     private void SendPending()
     {
         bool isReady = _target.Prepare();
-        foreach (AvatarPose pose in _poses.All)
+        for (int i = 0; i < _poses.All.Count; i++)
         {
+            AvatarPose pose = _poses.All[i];
             if (!pose.IsPending)
                 continue;
 
