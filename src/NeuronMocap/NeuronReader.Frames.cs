@@ -61,6 +61,9 @@ public sealed partial class NeuronReader
         return _pipeline.OpenQueue(Checked(options));
     }
 
+    // For senders of poses: other packets would take the room of frames.
+    internal FrameQueue OpenMotionQueue(FrameQueueOptions options) => _pipeline.OpenMotionQueue(Checked(options));
+
     /// <summary>Opens a view of the newest frame of each avatar, beginning now.</summary>
     /// <param name="options">Which frames the view shows; copied. Null for every frame.</param>
     /// <returns>A new view, for one thread; dispose it when you no longer use it.</returns>

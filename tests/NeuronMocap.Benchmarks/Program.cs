@@ -25,6 +25,9 @@ decode.SetAction((result, _) => Decode.RunAsync(result.GetValue(Runs), Open(resu
 var kinematics = new Command("kinematics", "Cost of a frame from its values to world transforms, velocities, contacts and retimed poses.") { Runs, Json };
 kinematics.SetAction((result, _) => PoseCost.RunAsync(result.GetValue(Runs), Open(result)));
 
+var messages = new Command("messages", "Cost of a pose for other programs: compact, VMC and OSC.") { Runs, Json };
+messages.SetAction((result, _) => PoseMessages.RunAsync(result.GetValue(Runs), Open(result)));
+
 var retarget = new Command("retarget", "Cost of a frame on a Humanoid character: rotations, places, feet that stand.") { Runs, Json };
 retarget.SetAction((result, _) => RetargetCost.RunAsync(result.GetValue(Runs), Open(result)));
 
@@ -69,7 +72,7 @@ sinks.Add(idler);
 sinks.SetAction(result => Sinks.Run(result.GetValue(port), result.GetValue(Connections), result.GetValue(idler)));
 
 RootCommand root = Root(
-    Throughput(), latency, streams, avatars, consumers, broadcast, relay, decode, bvh, kinematics, retarget, recording, playback, Window(), native, micro,
+    Throughput(), latency, streams, avatars, consumers, broadcast, relay, decode, bvh, kinematics, messages, retarget, recording, playback, Window(), native, micro,
     Flood(), Pace(), sinks);
 #if PIPES
 var connections = new Option<int>("--connections") { Description = "Connections of the paced case.", DefaultValueFactory = _ => 100 };

@@ -13,7 +13,7 @@ build() { dotnet build -c Release -v quiet -p:LibraryFramework="$1" -o "$scratch
 
 for build in net8.0 netstandard2.1; do
     build "$build" "$build"
-    for command in bvh decode avatars consumers throughput latency streams broadcast kinematics retarget record window; do
+    for command in bvh decode avatars consumers throughput latency streams broadcast kinematics messages retarget record window; do
         dotnet "$scratch/$build/NeuronMocap.Benchmarks.dll" "$command" --json "$out/$build-$command.json"
     done
 done

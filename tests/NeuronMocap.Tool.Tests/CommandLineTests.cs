@@ -81,7 +81,7 @@ public sealed partial class CommandLineTests
     [InlineData("--overwrite", "watch", "--overwrite")]
     [InlineData("relay needs SOURCE.", "relay")]
     [InlineData("relay needs TO.", "relay", "studio")]
-    [InlineData("'ws://:7001' is not a destination. Use tcp://[ADDRESS]:PORT, udp://HOST:PORT, FILE.nmrec or FILE.bvh.", "relay", "studio", "ws://:7001")]
+    [InlineData("'ws://:7001' is not a destination. Use tcp://[ADDRESS]:PORT, udp://HOST:PORT, ", "relay", "studio", "ws://:7001")]
     [InlineData("'tcp://' has no port to listen on", "relay", "studio", "tcp://")]
     [InlineData("'office' in 'tcp://office:7001' is not an address", "relay", "studio", "tcp://office:7001")]
     [InlineData("'udp://:7012' names no computer", "relay", "studio", "udp://:7012")]
@@ -281,7 +281,7 @@ public sealed partial class CommandLineTests
     [InlineData("convert", "--from", "--to", "--resample", "--order", "--output-order", "--avatar", "--rate", "--overwrite")]
     [InlineData("plot", "--from", "--to", "--order", "--avatar", "--rate", "--overwrite")]
     [InlineData("command", "--avatar", "--json")]
-    [InlineData("relay", "--json", "--quiet", "--commands", "--duration", "--once", "--overwrite", "--command-port", "--calculation-port", "--speed", "--rate", "--loop")]
+    [InlineData("relay", "--json", "--quiet", "--commands", "--duration", "--once", "--overwrite", "--pose-rate", "--pose-scale", "--vmc-move", "--osc-space", "--command-port", "--calculation-port", "--speed", "--rate", "--loop")]
     [InlineData("simulate", "--port", "--bvh", "--calc", "--play", "--speed", "--udp", "--calculation-port", "--command-port", "--bind")]
     public async Task The_options_that_scripts_rely_on_exist(string verb, params string[] options)
     {

@@ -1,4 +1,5 @@
 using System.Net;
+using NeuronMocap.Server;
 using NeuronMocap.Tool.Terminal;
 
 namespace NeuronMocap.Tool.Arguments;
@@ -14,6 +15,9 @@ internal sealed record ConnectionOptions
 
     /// <summary>The UDP port; null for TCP and for the demo.</summary>
     public int? UdpPort { get; init; }
+
+    /// <summary>The port for poses over VMC; null for other sources.</summary>
+    public int? VmcPort { get; init; }
 
     /// <summary>Address of this computer to connect from or receive on; null for the system's choice.</summary>
     public IPAddress? LocalAddress { get; init; }
@@ -37,12 +41,13 @@ internal sealed record ConnectionOptions
     public TimeSpan? Duration { get; init; }
 
     /// <summary>Whether a simulator inside this process is the server.</summary>
-    public bool IsDemo => Server is null && UdpPort is null;
+    public bool IsDemo => Server is null && UdpPort is null && VmcPort is null;
 
     /// <summary>The source, as an argument of the command line.</summary>
     public string Source => this switch
     {
         { UdpPort: { } port } => Arguments.Source.OfUdp(port, LocalAddress).ToString(),
+        { VmcPort: { } port } => Arguments.Source.OfVmc(port, LocalAddress).ToString(),
         { Server: { } server } => Arguments.Source.OfServer(server).ToString(),
         _ => Arguments.Source.Demo.ToString(),
     };
@@ -82,6 +87,12 @@ internal sealed record ConnectionOptions
             options.Transport = TransportKind.Udp;
             options.Port = port;
             options.AllowedSenders = AllowedSenders;
+        }
+
+        if (VmcPort is { } poses)
+        {
+            options.Source = new VmcSource(poses, LocalAddress);
+            options.LocalAddress = null;
         }
 
         // Over UDP, the server is the computer on which a diagnosis looks for the stream if nothing arrives.

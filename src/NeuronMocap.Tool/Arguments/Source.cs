@@ -16,22 +16,28 @@ internal enum SourceKind
     /// <summary>A port of this computer, over UDP.</summary>
     Udp,
 
+    /// <summary>A port of this computer for poses of another program, over VMC.</summary>
+    Vmc,
+
     /// <summary>A recording, or the raw bytes of a stream.</summary>
     File,
 }
 
-/// <summary>The meaning of SOURCE: HOST, HOST:PORT, tcp://HOST[:PORT], udp://[ADDRESS]:PORT, a file, or demo.</summary>
+/// <summary>The meaning of SOURCE: HOST, HOST:PORT, tcp://HOST[:PORT], udp:// or vmc://[ADDRESS]:PORT, a file, or demo.</summary>
 /// <param name="Kind">The kind of the source.</param>
 internal sealed record Source(SourceKind Kind)
 {
     /// <summary>The forms of a source, for help and errors.</summary>
-    public const string Forms = "HOST, HOST:PORT, tcp://HOST:PORT, udp://:PORT, a file, or demo";
+    public const string Forms = "HOST, HOST:PORT, tcp://HOST:PORT, udp://:PORT, vmc://:PORT, a file, or demo";
 
     /// <summary>The forms of a source that has a connection.</summary>
     public const string ConnectionForms = "HOST, HOST:PORT, tcp://HOST:PORT, udp://:PORT, or demo";
 
     /// <summary>The forms of a source over TCP.</summary>
     public const string ServerForms = "HOST, HOST:PORT, tcp://HOST:PORT or demo";
+
+    /// <summary>The start of a source that receives poses over VMC.</summary>
+    public const string VmcScheme = "vmc://";
 
     private const string DemoWord = "demo";
     private const string TcpScheme = "tcp://";
@@ -46,7 +52,10 @@ internal sealed record Source(SourceKind Kind)
     /// <summary>The port of this computer; null unless the source is UDP.</summary>
     public int? UdpPort { get; private init; }
 
-    /// <summary>The address of this computer to receive on, which only udp:// can name. Null for all addresses.</summary>
+    /// <summary>The port of this computer for poses over VMC; null for other sources.</summary>
+    public int? VmcPort { get; private init; }
+
+    /// <summary>The address of this computer to receive on, which only udp:// and vmc:// can name. Null for all addresses.</summary>
     public IPAddress? LocalAddress { get; private init; }
 
     /// <summary>The file as given; null unless the source is a file.</summary>
@@ -55,6 +64,8 @@ internal sealed record Source(SourceKind Kind)
     public static Source OfServer(ServerAddress server) => new(SourceKind.Tcp) { Server = server };
 
     public static Source OfUdp(int port, IPAddress? localAddress = null) => new(SourceKind.Udp) { UdpPort = port, LocalAddress = localAddress };
+
+    public static Source OfVmc(int port, IPAddress? localAddress = null) => new(SourceKind.Vmc) { VmcPort = port, LocalAddress = localAddress };
 
     public static Source OfFile(string path) => new(SourceKind.File) { File = path };
 
@@ -83,16 +94,23 @@ internal sealed record Source(SourceKind Kind)
     public override string ToString() => Kind switch
     {
         SourceKind.Tcp => $"{TcpScheme}{Server}",
-        SourceKind.Udp => $"{UdpScheme}{(LocalAddress is null ? string.Empty : new IPEndPoint(LocalAddress, 0).ToString()[..^2])}:{UdpPort}",
+        SourceKind.Udp => $"{UdpScheme}{AddressText}:{UdpPort}",
+        SourceKind.Vmc => $"{VmcScheme}{AddressText}:{VmcPort}",
         SourceKind.File => File!,
         _ => DemoWord,
     };
+
+    // An IPv6 address is in brackets.
+    private string AddressText => LocalAddress is null ? string.Empty : new IPEndPoint(LocalAddress, 0).ToString()[..^2];
 
     private static Source Parse(string text, string forms)
     {
         string word = text.Trim();
         if (word.Equals(DemoWord, StringComparison.OrdinalIgnoreCase))
             return Demo;
+
+        if (word.StartsWith(VmcScheme, StringComparison.OrdinalIgnoreCase) && forms.Contains(VmcScheme, StringComparison.Ordinal))
+            return ParseVmc(text, word[VmcScheme.Length..]);
 
         bool hasScheme = word.Contains("://", StringComparison.Ordinal);
         bool isTransport = word.StartsWith(TcpScheme, StringComparison.OrdinalIgnoreCase) || word.StartsWith(UdpScheme, StringComparison.OrdinalIgnoreCase);
@@ -111,6 +129,23 @@ internal sealed record Source(SourceKind Kind)
         return options.Port > 0
             ? OfUdp(options.Port, options.LocalAddress)
             : throw new FormatException($"'{text}' has no port that a server could send to. Use udp://:PORT with a port from 1 to {IPEndPoint.MaxPort}.");
+    }
+
+    // A port of this computer is written as for udp://.
+    private static Source ParseVmc(string text, string rest)
+    {
+        try
+        {
+            var options = NeuronReaderOptions.Parse(UdpScheme + rest);
+            if (options.Port > 0)
+                return OfVmc(options.Port, options.LocalAddress);
+        }
+        catch (FormatException)
+        {
+            // The message would name another scheme.
+        }
+
+        throw new FormatException($"'{text}' has no port that a program could send to. Use vmc://:PORT with a port from 1 to {IPEndPoint.MaxPort}; 39539 is usual.");
     }
 
     // A computer may have the name of a file. tcp://take.bin means the computer.

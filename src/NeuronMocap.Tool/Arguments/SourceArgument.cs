@@ -20,6 +20,8 @@ internal sealed class SourceArgument : Argument<Source?>
         Arity = whenLeftOut is null ? ArgumentArity.ExactlyOne : ArgumentArity.ZeroOrOne;
         CustomParser = Parse;
         CompletionSources.Add("demo", "tcp://", "udp://:");
+        if (forms.Contains(Source.VmcScheme, StringComparison.Ordinal))
+            CompletionSources.Add(Source.VmcScheme + ":");
     }
 
     /// <summary>Gets the source on the command line. Null if it is missing or wrong.</summary>

@@ -15,6 +15,7 @@ internal sealed class RelayFlow(NeuronReader reader, string source, IReadOnlyLis
 {
     private const string Failed = "failed";
     private const string Dropping = "dropping";
+    private const string Refused = "refused";
     private const string Waiting = "waiting";
 
     private readonly RateMeter _received = new();
@@ -108,12 +109,13 @@ internal sealed class RelayFlow(NeuronReader reader, string source, IReadOnlyLis
 
         public double PerSecond => _sent.PerSecond;
 
-        public bool IsHealthy => Figures.Failure is null && _dropped.PerSecond == 0;
+        public bool IsHealthy => Figures.Failure is null && Figures.Note is null && _dropped.PerSecond == 0;
 
         public string State => Code switch
         {
             Failed => $"failed: {Figures.Failure}",
             Dropping => "dropping: slow or not reachable",
+            Refused => Figures.Note!,
             Waiting => "waiting for clients",
             var code => code,
         };
@@ -121,6 +123,7 @@ internal sealed class RelayFlow(NeuronReader reader, string source, IReadOnlyLis
         private string Code => this switch
         {
             { Figures.Failure: not null } => Failed,
+            { Figures.Note: not null } => Refused,
             { IsHealthy: false } => Dropping,
             { Figures.Clients: 0 } => Waiting,
             { PerSecond: 0 } => "idle",

@@ -13,6 +13,8 @@ internal static class RelayLoop
     {
         ({ Server: { } server }, TcpDestination tcp) => server.Port == tcp.EndPoint.Port && IsOwn(server.Host, tcp.EndPoint.Address),
         ({ UdpPort: { } port }, UdpDestination udp) => port == udp.Address.Port && IsOwn(udp.Address.Host, source.LocalAddress ?? IPAddress.Any),
+        ({ UdpPort: { } port }, PoseDestination pose) => port == pose.Address.Port && IsOwn(pose.Address.Host, source.LocalAddress ?? IPAddress.Any),
+        ({ VmcPort: { } port }, VmcDestination vmc) => port == vmc.Address.Port && IsOwn(vmc.Address.Host, source.LocalAddress ?? IPAddress.Any),
         ({ File: { } file }, { File: { } output }) => SameFile.IsSame(file, output),
         _ => false,
     };

@@ -16,13 +16,15 @@ internal sealed class RelayVerb : Verb
     private readonly Argument<Destination[]> _to = new("TO")
     {
         Description = $"Where packets go, once or more: {Destination.Forms}. tcp:// listens for clients on this computer; without an address, for every "
-            + "computer. udp:// sends to a computer. A file is written until the end.",
+            + "computer. udp:// sends to a computer. vmc:// sends poses of one avatar to a program that shows it; osc:// "
+            + "sends poses of all as OSC messages. AVATAR is a number or a name. A file is written until the end.",
         Arity = ArgumentArity.OneOrMore,
         CustomParser = ParseDestinations,
     };
 
     private readonly ConnectionArguments _connection = new();
     private readonly PlaybackArguments _playback = new();
+    private readonly PoseArguments _poses = new();
     private readonly Option<TimeSpan?> _duration = CommonOptions.Duration("End after this many seconds, as in 2.5; more than 0, at most 1000000.");
     private readonly Option<bool> _once = new("--once") { Description = "End when the connection to the source ends or cannot be made, instead of trying again." };
     private readonly Option<bool> _json = CommonOptions.Json(
@@ -45,9 +47,10 @@ internal sealed class RelayVerb : Verb
     {
         Add(_source);
         Add(_to);
-        _to.CompletionSources.Add(TcpDestination.Scheme + ":", UdpDestination.Scheme);
+        _to.CompletionSources.Add(TcpDestination.Scheme + ":", UdpDestination.Scheme, VmcDestination.Scheme, OscDestination.Scheme);
         AddOptions("Output", _json, _quiet);
         AddOptions("Relay", _commands, _duration, _once, _overwrite);
+        AddOptions("With a destination vmc:// or osc://", _poses.All);
         AddOptions("Connection", _connection.All);
         AddOptions("With a file as the source", _playback.All);
         Validators.Add(Reject);
@@ -59,6 +62,7 @@ internal sealed class RelayVerb : Verb
         new("relay 192.168.1.20 tcp://:7001 --commands tcp://:8013", "the same, with the command channel"),
         new("relay udp://:7012 udp://192.168.1.31:7012 udp://192.168.1.32:7012", "datagrams to two computers"),
         new("relay studio tcp://:7001 take.nmrec take.bvh", "to other computers, to a recording and to a BVH file"),
+        new("relay 192.168.1.20 vmc://127.0.0.1:39539/0 vmc://127.0.0.1:39540/1", "two performers to two avatar programs"),
         new("relay take.nmrec tcp://127.0.0.1:7001 --loop", "a recording, for programs on this computer"),
         new("relay studio tcp://:7001 --json", "figures for another program, once a second"),
         new("relay demo tcp://:7001", "a moving skeleton for every computer of the network"),
@@ -74,7 +78,7 @@ internal sealed class RelayVerb : Verb
     {
         Source source = result.GetValue(_source)!;
         ConnectionOptions connection = _connection.Read(result, source) with { Once = result.GetValue(_once), Duration = result.GetValue(_duration) };
-        var options = new RelayOptions(source, connection, result.GetValue(_to)!)
+        var options = new RelayOptions(source, connection, _poses.Apply(result, result.GetValue(_to)!))
         {
             Play = source.File is { } file ? _playback.Read(result, file) : null,
             Commands = result.GetValue(_commands),
@@ -147,6 +151,7 @@ internal sealed class RelayVerb : Verb
 
         if (Find(result.GetResult(_commands)?.Tokens) is [TcpDestination commands] && Array.Find(all, commands.IsSame) is { } taken)
             result.AddError($"--commands and {taken.Text} need different ports.");
+        _poses.Reject(result, all);
         if (IsGiven(result, _overwrite) && Array.TrueForAll(all, static to => to.File is null))
             result.AddError("--overwrite needs a file to write: nothing else can be replaced.");
     }

@@ -203,6 +203,14 @@ internal sealed class ReceivePipeline : IPacketReceiver, ILinkListener, IReaderS
     public FrameQueue OpenMotionQueue(int capacity, string name) =>
         Open(CreateQueue(new FrameQueueOptions { Capacity = capacity, Name = name }, PacketKind.Motion, backPressure: null));
 
+    // For a consumer that waits for frames. It never slows an unpaced playback down.
+    public FrameQueue OpenMotionQueue(FrameQueueOptions options)
+    {
+        FrameQueue queue = CreateQueue(options.Copy(FrameQueue.DefaultName), PacketKind.Motion, backPressure: null);
+        queue.PrepareWaiting();
+        return Open(queue);
+    }
+
     public FrameStream OpenStream(PacketKind kind, FrameQueueOptions? options = null)
     {
         FrameQueueOptions how = (options ?? DefaultQueue).Copy(StreamName);

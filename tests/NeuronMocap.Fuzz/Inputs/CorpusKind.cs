@@ -21,6 +21,12 @@ internal enum CorpusKind
     /// <summary>Rows of a calculation export.</summary>
     Calculation,
 
+    /// <summary>Compact poses.</summary>
+    Poses,
+
+    /// <summary>Datagrams of OSC.</summary>
+    Osc,
+
     /// <summary>Files of every kind that the file tools read.</summary>
     Files,
 }

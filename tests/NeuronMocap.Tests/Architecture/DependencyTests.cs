@@ -46,6 +46,8 @@ public sealed class DependencyTests
         ["Options"] = ["Faults", "Sources"],
         ["Broadcasting"] = ["Faults", "Options", "Sources"],
         ["Clients"] = ["Broadcasting", "Faults", "Options", "Sources"],
+        // Poses of a reader for other programs, and poses of other programs for a reader.
+        ["Osc"] = [],
     });
 
     // Packages that the net8.0 builds declare and that are not part of the framework.

@@ -11,6 +11,8 @@ public sealed class SourceAddressTests : AddressContract
     [InlineData("udp://:7012")]
     [InlineData("udp://192.168.1.5:7012")]
     [InlineData("udp://[::1]:7012")]
+    [InlineData("vmc://:39539")]
+    [InlineData("VMC://[::1]:39539")]
     public void The_text_of_a_source_means_the_same_source(string text)
     {
         Source source = Read(text);
@@ -25,7 +27,7 @@ public sealed class SourceAddressTests : AddressContract
     public void What_is_no_source_is_told_every_form_of_one(string text)
     {
         string message = Assert.Throws<FormatException>(() => Read(text)).Message;
-        Assert.Equal($"'{text}' is not a source. Use HOST, HOST:PORT, tcp://HOST:PORT, udp://:PORT, a file, or demo.", message);
+        Assert.Equal($"'{text}' is not a source. Use HOST, HOST:PORT, tcp://HOST:PORT, udp://:PORT, vmc://:PORT, a file, or demo.", message);
     }
 
     // The library chooses any free port. Here nothing could send to it.
@@ -36,6 +38,18 @@ public sealed class SourceAddressTests : AddressContract
     {
         string message = Assert.Throws<FormatException>(() => Read(text)).Message;
         Assert.Equal($"'{text}' has no port that a server could send to. Use udp://:PORT with a port from 1 to 65535.", message);
+    }
+
+    [Theory]
+    [InlineData("vmc://")]
+    [InlineData("vmc://39539")]
+    [InlineData("vmc://:0")]
+    [InlineData("vmc://:65536")]
+    [InlineData("vmc://studio:39539")]
+    public void A_VMC_port_that_cannot_be_is_refused(string text)
+    {
+        string message = Assert.Throws<FormatException>(() => Read(text)).Message;
+        Assert.Equal($"'{text}' has no port that a program could send to. Use vmc://:PORT with a port from 1 to 65535; 39539 is usual.", message);
     }
 
     protected override Address Parse(string address)

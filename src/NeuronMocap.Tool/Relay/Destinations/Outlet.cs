@@ -15,6 +15,9 @@ internal readonly record struct OutletFigures(long Sent, long Dropped)
 
     /// <summary>Why nothing more can be sent; null if it can.</summary>
     public string? Failure { get; init; }
+
+    /// <summary>What the user may want to know about the last second; null for nothing.</summary>
+    public string? Note { get; init; }
 }
 
 /// <summary>A destination that is being served.</summary>

@@ -1,5 +1,4 @@
 using System.Net;
-using System.Net.Sockets;
 using NeuronMocap.Server;
 using NeuronMocap.Tool.Arguments;
 using NeuronMocap.Tool.Simulate;
@@ -30,7 +29,7 @@ internal sealed record UdpDestination(string Text, ServerAddress Address) : Dest
 
     public override Outlet Open(NeuronReader reader, bool overwrite)
     {
-        IPEndPoint endPoint = Resolve();
+        IPEndPoint endPoint = DestinationHost.Resolve(Text, Address);
         try
         {
             var options = new BroadcasterOptions { Port = null, UdpDestinations = [endPoint] };
@@ -39,23 +38,6 @@ internal sealed record UdpDestination(string Text, ServerAddress Address) : Dest
         catch (BroadcasterException exception)
         {
             throw new RelayException(StartFailure.DescribeArgument(exception, Text, endPoint));
-        }
-    }
-
-    // IPv4 first, because the vendor's readers bind only to IPv4 (protocol.md section 4.2).
-    private IPEndPoint Resolve()
-    {
-        if (IPAddress.TryParse(Address.Host, out IPAddress? address))
-            return new IPEndPoint(address, Address.Port);
-
-        try
-        {
-            IPAddress[] addresses = Dns.GetHostAddresses(Address.Host);
-            return new IPEndPoint(addresses.OrderBy(static candidate => candidate.AddressFamily != AddressFamily.InterNetwork).First(), Address.Port);
-        }
-        catch (SocketException exception)
-        {
-            throw new RelayException($"{Text}: the host name {Address.Host} has no address ({exception.SocketErrorCode}).");
         }
     }
 }

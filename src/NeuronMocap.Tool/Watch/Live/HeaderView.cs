@@ -82,6 +82,8 @@ internal static class HeaderView
             return state.Status is { ReceiveBufferSize: { } granted, RequestedReceiveBufferSize: { } requested }
                 ? [$"UDP port {port}", $"receive buffer {Quantity.Memory(granted)} of {Quantity.Memory(requested)}"]
                 : [$"UDP port {port}"];
+        if (state.Connection.VmcPort is { } poses)
+            return [$"VMC port {poses}"];
 
         return [state.Connection.Server is { } server ? $"TCP {server}" : $"TCP {state.Status.RemoteEndPoint?.ToString() ?? "loopback"} (demo)"];
     }

@@ -1,0 +1,85 @@
+using System.Net.Sockets;
+
+namespace NeuronMocap.Server.Osc;
+
+/// <summary>The motion packets that a decoder makes of the datagrams of a socket. Reads block.</summary>
+internal sealed class VmcStream(Socket socket, VmcDecoder decoder, Action<long> addRejected) : Stream
+{
+    // Not every runtime ends a blocking receive when its socket closes.
+    private const int PollMicroseconds = 100_000;
+
+    private readonly byte[] _datagram = new byte[65_536];
+    private volatile bool _isClosed;
+
+    public override bool CanRead => true;
+
+    public override bool CanSeek => false;
+
+    public override bool CanWrite => false;
+
+    public override long Length => throw new NotSupportedException();
+
+    public override long Position
+    {
+        get => throw new NotSupportedException();
+        set => throw new NotSupportedException();
+    }
+
+    public override int Read(byte[] buffer, int offset, int count)
+    {
+        while (decoder.Length == 0)
+        {
+            if (!TryReceive())
+                return 0;
+        }
+
+        return decoder.Read(buffer.AsSpan(offset, count));
+    }
+
+    public override void Flush()
+    {
+    }
+
+    public override long Seek(long offset, SeekOrigin origin) => throw new NotSupportedException();
+
+    public override void SetLength(long value) => throw new NotSupportedException();
+
+    public override void Write(byte[] buffer, int offset, int count) => throw new NotSupportedException();
+
+    protected override void Dispose(bool disposing)
+    {
+        _isClosed = true;
+        if (disposing)
+            socket.Dispose();
+
+        base.Dispose(disposing);
+    }
+
+    // Returns false at the end. A datagram may hold no end of a frame.
+    private bool TryReceive()
+    {
+        try
+        {
+            while (!_isClosed && !socket.Poll(PollMicroseconds, SelectMode.SelectRead))
+            {
+            }
+
+            if (_isClosed)
+                return false;
+
+            int length = socket.Receive(_datagram, 0, _datagram.Length, SocketFlags.None, out SocketError error);
+            if (error == SocketError.Success)
+            {
+                long before = decoder.Rejected;
+                decoder.Receive(_datagram.AsSpan(0, length));
+                addRejected(decoder.Rejected - before);
+            }
+
+            return !_isClosed;
+        }
+        catch (Exception exception) when (_isClosed && exception is ObjectDisposedException or SocketException)
+        {
+            return false;
+        }
+    }
+}
