@@ -166,7 +166,7 @@ public sealed partial class Broadcaster : IDisposable, IAsyncDisposable
 
         lock (_lock)
         {
-            foreach (TcpClientSession client in _recipients.OfType<TcpClientSession>())
+            foreach (ClientSession client in _recipients.OfType<ClientSession>())
                 client.Push(DataCommandId.CombinationMode, avatarIndex);
         }
     }

@@ -128,26 +128,38 @@ public sealed class CommandServer : IDisposable, IAsyncDisposable
     /// <returns>A task that completes when everything is closed.</returns>
     public ValueTask DisposeAsync() => new(Task.Run(Stop));
 
+    // Serves a connection that another server accepted. The port need not be open. The task ends when the client is no longer served; null if there is no
+    // place for it. The caller then ends the connection.
+    internal Task? ServeAsync(ClientTransport transport)
+    {
+        var completion = new TaskCompletionSource<bool>(TaskCreationOptions.RunContinuationsAsynchronously);
+        return TryServe(() => transport, () => completion.TrySetResult(true)) ? completion.Task : null;
+    }
+
     private void OnAccepted(Socket socket)
+    {
+        if (!TryServe(() => new SocketTransport(socket, CommandSession.SendTimeout), ended: null))
+            socket.Dispose();
+    }
+
+    private bool TryServe(Func<ClientTransport> open, Action? ended)
     {
         lock (_lock)
         {
             if (_hasEnded || (CountClients() >= _options.MaxClients && !TryMakeRoom()))
-            {
-                socket.Dispose();
-                return;
-            }
+                return false;
 
             try
             {
-                var session = new CommandSession(socket, _answers, _options, GetTimestamp, _stop, OnEnded, _report);
+                var session = new CommandSession(open(), _answers, _options, GetTimestamp, _stop, session => OnEnded(session, ended), _report);
                 Launch(session.Worker);
                 _sessions.Add(session);
+                return true;
             }
             catch (Exception exception) when (exception is SocketException or OutOfMemoryException)
             {
                 // The client reset the connection before it was served, or the system cannot create a thread.
-                socket.Dispose();
+                return false;
             }
         }
     }
@@ -177,9 +189,11 @@ public sealed class CommandServer : IDisposable, IAsyncDisposable
         _workers.Add(worker);
     }
 
-    private void OnEnded(CommandSession session)
+    private void OnEnded(CommandSession session, Action? ended)
     {
         lock (_lock)
             _sessions.Remove(session);
+
+        ended?.Invoke();
     }
 }

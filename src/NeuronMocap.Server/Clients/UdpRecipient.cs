@@ -9,11 +9,12 @@ namespace NeuronMocap.Server.Clients;
 /// A packet or a line of text larger than the fragment size is cut, as Axis Neuron on macOS does: 1024 bytes, then the rest (protocol.md section
 /// 4.2).
 /// </remarks>
-internal sealed class UdpRecipient : SocketRecipient
+internal sealed class UdpRecipient : NetworkRecipient
 {
     // Maximum size of a datagram over IPv4.
     private const int MaxDatagram = 65_507;
 
+    private readonly Socket _socket;
     private readonly int _fragment;
     private readonly byte[] _buffer;
     private long _motionPackets;
@@ -27,8 +28,9 @@ internal sealed class UdpRecipient : SocketRecipient
         int? fragment,
         Action<Recipient, Exception?> ended,
         FaultReport report)
-        : base(socket, destination, stream, feed, ended, report)
+        : base(destination, stream, feed, ended, report)
     {
+        _socket = socket;
         _fragment = Math.Min(fragment ?? MaxDatagram, MaxDatagram);
         _buffer = new byte[ReadSize];
     }
@@ -51,6 +53,8 @@ internal sealed class UdpRecipient : SocketRecipient
             throw;
         }
     }
+
+    public override void Dispose() => _socket.Dispose();
 
     protected override bool SendAll()
     {
@@ -95,9 +99,9 @@ internal sealed class UdpRecipient : SocketRecipient
     // The error "refused" reports that nobody received an earlier datagram, and it keeps this datagram from being sent. The second attempt sends it.
     private bool TrySend(int offset, int length)
     {
-        Socket.Send(_buffer, offset, length, SocketFlags.None, out SocketError error);
+        _socket.Send(_buffer, offset, length, SocketFlags.None, out SocketError error);
         if (error is SocketError.ConnectionRefused or SocketError.ConnectionReset)
-            Socket.Send(_buffer, offset, length, SocketFlags.None, out error);
+            _socket.Send(_buffer, offset, length, SocketFlags.None, out error);
 
         return error == SocketError.Success;
     }
