@@ -21,6 +21,9 @@ namespace NeuronMocap;
 /// </remarks>
 public sealed class FrameQueue : IPacketConsumer, ICountedConsumer, IDisposable
 {
+    // The receive thread may not see yet that it must signal, so the first wait looks again after this time.
+    private static readonly TimeSpan FirstWait = TimeSpan.FromMilliseconds(1);
+
     internal const string DefaultName = "queue";
     internal const int MaxCapacity = 1 << 20;
 
@@ -39,6 +42,7 @@ public sealed class FrameQueue : IPacketConsumer, ICountedConsumer, IDisposable
     private readonly Func<bool>? _backPressure;
     private readonly FrameThinner? _thinner;
     private long _dropped;
+    private FrameSignal? _signal;
     private int _pumping;
     private volatile bool _isComplete;
     private volatile bool _disposed;
@@ -98,10 +102,11 @@ public sealed class FrameQueue : IPacketConsumer, ICountedConsumer, IDisposable
     // The only kind of frame that is added; None for all kinds.
     internal PacketKind OnlyKind { get; init; }
 
-    // Called on the receive thread after each frame, and when adding is completed. It must be set before the queue gets its first frame.
+    // Called on the receive thread after each frame, and when adding is completed.
     internal Action? Changed { get; set; }
 
-    internal bool IsAddingCompleted => _isComplete;
+    // Whether a consumer has something to do.
+    internal bool HasChanged => Count > 0 || _isComplete || _disposed;
 
     /// <summary>
     /// Calls a handler for every waiting frame, oldest first, on this thread. Returns at once if no frame waits. Frames that arrive during the call are
@@ -177,6 +182,13 @@ public sealed class FrameQueue : IPacketConsumer, ICountedConsumer, IDisposable
         }
     }
 
+    /// <summary>Waits until a frame is in the queue. Call <c>Pump</c> then, on any thread.</summary>
+    /// <param name="cancellationToken">Ends the wait with an <see cref="OperationCanceledException"/>; the queue continues.</param>
+    /// <returns>False if no frame will follow: the reader has stopped and the queue is empty, or the queue was disposed.</returns>
+    /// <remarks>Only one wait at a time. It costs nothing while frames wait. The code after it runs on a pool thread, or on the caller's context.</remarks>
+    public ValueTask<bool> WaitAsync(CancellationToken cancellationToken = default) =>
+        Count > 0 && !_disposed ? new ValueTask<bool>(true) : WaitForFrameAsync(cancellationToken);
+
     /// <summary>Removes the queue from its reader and discards the waiting frames. Any thread, any number of times.</summary>
     public void Dispose()
     {
@@ -185,6 +197,15 @@ public sealed class FrameQueue : IPacketConsumer, ICountedConsumer, IDisposable
 
         _disposed = true;
         _closed(this);
+        _signal?.Set();
+    }
+
+    // Makes waits cheap from the first one on. Called before the queue gets its first frame.
+    internal void PrepareWaiting()
+    {
+        var signal = new FrameSignal(this);
+        Changed = signal.Set;
+        _signal = signal;
     }
 
     // Stops adding frames. Waiting frames can still be taken out.
@@ -209,6 +230,29 @@ public sealed class FrameQueue : IPacketConsumer, ICountedConsumer, IDisposable
             Volatile.Write(ref _dropped, _dropped + 1);
 
         Changed?.Invoke();
+    }
+
+    private async ValueTask<bool> WaitForFrameAsync(CancellationToken cancellationToken)
+    {
+        TimeSpan limit = Timeout.InfiniteTimeSpan;
+        if (_signal is null)
+        {
+            PrepareWaiting();
+            limit = FirstWait;
+        }
+
+        while (true)
+        {
+            // In this order: the last frame arrives before the end.
+            bool hasEnded = _isComplete || _disposed;
+            if (Count > 0 && !_disposed)
+                return true;
+            if (hasEnded)
+                return false;
+
+            await _signal!.WaitAsync(limit, cancellationToken).ConfigureAwait(false);
+            limit = Timeout.InfiniteTimeSpan;
+        }
     }
 
     // A packet of the first ring is in use until Release, and one of the second ring until the next call.

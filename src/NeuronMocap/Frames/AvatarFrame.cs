@@ -47,6 +47,13 @@ public abstract class AvatarFrame
     /// <summary>All values after the header, in stream order, bit for bit as received. Valid as long as the frame.</summary>
     public ReadOnlySpan<float> Values => _data.Values;
 
+    /// <summary>The whole packet, header and values, bit for bit as received. Valid as long as the frame.</summary>
+    /// <remarks>
+    /// Sent over TCP or UDP, the packet is the same frame for every client. A line of text has no packet: the span is then a packet with the values of the
+    /// line, whose header ends with 0 instead of the second token (protocol.md section 3).
+    /// </remarks>
+    public ReadOnlySpan<byte> Packet => _data.Packet;
+
     /// <summary>
     /// When the bytes that completed the frame were received, in ticks of <see cref="Stopwatch"/>. This clock never jumps.
     /// </summary>
@@ -69,9 +76,6 @@ public abstract class AvatarFrame
 
     // The sender and its current run. Another run of the sender can start its frame numbers anywhere.
     internal int Origin { get; private protected set; }
-
-    // Header and values. For a line of text, the packet that TextLine made of it.
-    internal ReadOnlySpan<byte> Packet => _data.Packet;
 
     internal bool WasReadLate => _data.WasReadLate;
 

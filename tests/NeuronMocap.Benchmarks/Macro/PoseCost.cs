@@ -35,8 +35,13 @@ internal static class PoseCost
             new("interpolate, linear", () => HotLoop.Measure(take.InterpolateLinear)),
             new("interpolate, cubic", () => HotLoop.Measure(take.InterpolateCubic)),
             new("buffer: push and sample", () => HotLoop.Measure(new Retiming(take).PushAndSample)),
+            new("compact: encode", () => HotLoop.Measure(take.Encode)),
+            new("compact: decode", () => HotLoop.Measure(take.DecodeCompact)),
         ];
-        Aim[] aims = [new("ns/frame", 2000, Way: "values to world"), new("B/frame", 0)];
+        Aim[] aims =
+        [
+            new("ns/frame", 2000, Way: "values to world"), new("ns/frame", 1000, Way: "compact: encode"), new("ns/frame", 1000, Way: "compact: decode"), new("B/frame", 0),
+        ];
         report.Add(await Alternation.RunAsync("one frame", runs, new Way("copy", () => HotLoop.Measure(take.Copy)), ways, aims));
         return report.End();
     }
@@ -46,6 +51,8 @@ internal static class PoseCost
         private readonly float[][] _values = new float[Frames][];
         private readonly float[] _copy = new float[Layout.ValueCount];
         private readonly Vector3[] _positions = new Vector3[JointPositions.Count];
+        private readonly byte[] _bytes = new byte[CompactPose.MaxSize];
+        private int _size;
         private readonly BoneVelocity[] _velocities = new BoneVelocity[BoneHierarchy.BoneCount];
 
         public Take()
@@ -59,6 +66,8 @@ internal static class PoseCost
                 actor.WriteValues(i, Layout, RotationOrder.YXZ, _values[i]);
                 actor.GetPose(i, Local[i]);
                 ForwardKinematics.ToWorld(Local[i], World[i]);
+                Encode(i);
+                Compact[i] = _bytes[.._size];
             }
         }
 
@@ -66,7 +75,13 @@ internal static class PoseCost
 
         public BoneTransform[][] Local { get; } = new BoneTransform[Frames][];
 
+        public byte[][] Compact { get; } = new byte[Frames][];
+
         public BoneTransform[][] World { get; } = new BoneTransform[Frames][];
+
+        public void Encode(int i) => CompactPose.TryEncode(new CompactPoseHeader { FrameIndex = (uint)i }, Local[i % Frames], _bytes, out _size);
+
+        public void DecodeCompact(int i) => CompactPose.TryDecode(Compact[i % Frames], out _, Pose);
 
         public void Copy(int i) => _values[i % Frames].AsSpan().CopyTo(_copy);
 

@@ -20,6 +20,7 @@ internal sealed record Corpus(IReadOnlyList<byte[]> Fixtures, int OwnCount, IRea
         CorpusKind.Bvh => With(BvhFixtures.Create(), BvhFixtures.Words, Find(data, "*.bvh")),
         CorpusKind.Recordings => With(RecordingFixtures.Create(), RecordingFixtures.Words, []),
         CorpusKind.Calculation => With(CalculationFixtures.Create(), CalculationFixtures.Words, Find(data, "*.calc")),
+        CorpusKind.Poses => With(PoseFixtures.Create(), PoseFixtures.Words, []),
         CorpusKind.Files => With(FileFixtures.Create(), FileFixtures.Words, []),
         _ => throw new ArgumentOutOfRangeException(nameof(kind)),
     };

@@ -21,6 +21,9 @@ internal enum CorpusKind
     /// <summary>Rows of a calculation export.</summary>
     Calculation,
 
+    /// <summary>Compact poses.</summary>
+    Poses,
+
     /// <summary>Files of every kind that the file tools read.</summary>
     Files,
 }

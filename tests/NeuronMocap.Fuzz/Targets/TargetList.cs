@@ -18,6 +18,7 @@ internal static class TargetList
         new("udp", CorpusKind.Packets, () => new UdpTarget().Run) { AllocatedPerInput = UdpTarget.AllocatedForSenders, AllocatedPerByte = 16 },
         new("headers", CorpusKind.Packets, () => HeadersTarget.Run),
         new("frames", CorpusKind.Packets, () => new FramesTarget().Run) { AllocatedPerByte = 16 },
+        new("compact", CorpusKind.Poses, () => new CompactPoseTarget().Run) { Share = 0.2 },
         new("commands", CorpusKind.Commands, () => new CommandsTarget().Run) { AllocatedPerInput = 512 * 1024, AllocatedPerByte = 64 },
         new("bvh", CorpusKind.Bvh, () => BvhTarget.Run) { Refusal = typeof(BvhFormatException), AllocatedPerInput = 384 * 1024, AllocatedPerByte = 192 },
         new("recording", CorpusKind.Recordings, () => new RecordingTarget().Run)

@@ -1,3 +1,4 @@
+using System.Collections.Concurrent;
 using System.Net;
 using System.Net.Sockets;
 using System.Text;
@@ -43,8 +44,8 @@ public sealed class StreamFormatTests
         using var server = new TestServer();
         await using var reader = new NeuronReader(server.Options());
         var log = new StatusLog(reader);
-        List<ReaderEvent> lines = [];
-        reader.EventReported += lines.Add;
+        ConcurrentQueue<ReaderEvent> lines = [];
+        reader.EventReported += lines.Enqueue;
         reader.Start();
         using TestConnection connection = await server.AcceptAsync();
         foreach ((string name, StreamFormat format, _) in ((string, StreamFormat, string)[])
@@ -89,9 +90,9 @@ public sealed class StreamFormatTests
         options.RotationOrder = option;
         await using var reader = new NeuronReader(options);
         var log = new StatusLog(reader);
-        List<ReaderEvent> lines = [];
+        ConcurrentQueue<ReaderEvent> lines = [];
         RotationOrder used = default;
-        reader.EventReported += lines.Add;
+        reader.EventReported += lines.Enqueue;
         reader.MotionReceived += frame => used = frame.Format.RotationOrder;
         reader.Start();
         for (int i = 0; i < 2; i++)

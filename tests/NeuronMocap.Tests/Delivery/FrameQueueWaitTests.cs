@@ -1,0 +1,107 @@
+using NeuronMocap.Delivery;
+using NeuronMocap.Protocol;
+using NeuronMocap.Skeleton;
+using NeuronMocap.Tests.Network;
+
+namespace NeuronMocap.Tests.Delivery;
+
+public sealed class FrameQueueWaitTests
+{
+    private readonly FrameQueue _queue = new(16, SkeletonFormat.Default, static _ => { });
+
+    private static CancellationToken Cancelled => TestContext.Current.CancellationToken;
+
+    [Fact]
+    public async Task A_waiting_frame_ends_the_wait_at_once_without_an_allocation()
+    {
+        Publish(1);
+        Assert.True(await _queue.WaitAsync(Cancelled));
+        long before = GC.GetAllocatedBytesForCurrentThread();
+        bool isWaiting = await _queue.WaitAsync(Cancelled);
+        Assert.Equal(before, GC.GetAllocatedBytesForCurrentThread());
+        Assert.True(isWaiting);
+    }
+
+    [Theory]
+    [InlineData(1)]
+    [InlineData(3)]
+    public async Task A_frame_ends_each_wait(int waits)
+    {
+        for (int i = 0; i < waits; i++)
+        {
+            Task<bool> wait = _queue.WaitAsync(Cancelled).AsTask();
+            Assert.False(wait.IsCompleted);
+            Publish(i);
+            Assert.True(await wait.Soon());
+            Assert.Equal(1, _queue.Pump<MotionFrame>(static _ => { }));
+        }
+    }
+
+    [Fact]
+    public async Task The_end_leaves_the_last_frames_to_be_taken()
+    {
+        Publish(1);
+        _queue.CompleteAdding();
+        Assert.True(await _queue.WaitAsync(Cancelled));
+        _queue.Pump<MotionFrame>(static _ => { });
+        Assert.False(await _queue.WaitAsync(Cancelled));
+    }
+
+    [Fact]
+    public async Task The_end_and_the_disposal_end_a_wait()
+    {
+        Task<bool> wait = _queue.WaitAsync(Cancelled).AsTask();
+        _queue.CompleteAdding();
+        Assert.False(await wait.Soon());
+
+        var disposed = new FrameQueue(16, SkeletonFormat.Default, static _ => { });
+        wait = disposed.WaitAsync(Cancelled).AsTask();
+        disposed.Dispose();
+        Assert.False(await wait.Soon());
+        Assert.False(await disposed.WaitAsync(Cancelled));
+    }
+
+    [Fact]
+    public async Task A_cancelled_wait_throws_and_the_next_one_gets_the_frame()
+    {
+        using var cancellation = new CancellationTokenSource();
+        Task<bool> wait = _queue.WaitAsync(cancellation.Token).AsTask();
+        cancellation.Cancel();
+        await Assert.ThrowsAnyAsync<OperationCanceledException>(() => wait.Soon());
+
+        wait = _queue.WaitAsync(Cancelled).AsTask();
+        Publish(1);
+        Assert.True(await wait.Soon());
+    }
+
+    [Theory]
+    [InlineData(WhenFull.DropNewest)]
+    [InlineData(WhenFull.DropOldest)]
+    public async Task No_frame_is_left_behind_while_both_sides_race(WhenFull whenFull)
+    {
+        const int Frames = 20_000;
+        using var queue = new FrameQueue(32, SkeletonFormat.Default, static _ => { }, whenFull: whenFull);
+        Task producing = Task.Run(
+            () =>
+            {
+                byte[] packet = TestPackets.Motion(0);
+                for (int i = 0; i < Frames; i++)
+                {
+                    ((IPacketConsumer)queue).OnPacket(new ReceivedPacket(PacketKind.Motion, packet, 0, 0));
+                    Thread.SpinWait(i % 64);
+                }
+
+                queue.CompleteAdding();
+            },
+            Cancelled);
+
+        int taken = 0;
+        while (await queue.WaitAsync(Cancelled).AsTask().Soon())
+            taken += queue.Pump<MotionFrame>(static _ => { });
+
+        await producing;
+        Assert.Equal(Frames, taken + queue.Dropped);
+    }
+
+    private void Publish(int index) => ((IPacketConsumer)_queue).OnPacket(new ReceivedPacket(PacketKind.Motion, TestPackets.Motion(index), 0, 0));
+}
