@@ -35,15 +35,16 @@ public sealed partial class Broadcaster
         }
     }
 
-    // Serves a connection that another server accepted, like a client of Port. The task ends when the client is no longer served; null if there is no place
-    // for it. The caller then ends the connection.
-    internal Task? ServeAsync(ClientTransport transport)
+    // Serves a connection that another server accepted, like a client of Port. The task ends when the client is no longer served. Returns false if there is no
+    // place for it. The caller then ends the connection.
+    internal bool TryServe(ClientTransport transport, out Task served)
     {
         var completion = new TaskCompletionSource<bool>(TaskCreationOptions.RunContinuationsAsynchronously);
+        served = completion.Task;
         lock (_lock)
         {
             CheckRuns();
-            return TryServe(_streams[0], () => transport, OnEnded) ? completion.Task : null;
+            return TryServe(_streams[0], () => transport, OnEnded);
         }
 
         void OnEnded(Recipient recipient, Exception? error)

@@ -128,12 +128,13 @@ public sealed class CommandServer : IDisposable, IAsyncDisposable
     /// <returns>A task that completes when everything is closed.</returns>
     public ValueTask DisposeAsync() => new(Task.Run(Stop));
 
-    // Serves a connection that another server accepted. The port need not be open. The task ends when the client is no longer served; null if there is no
-    // place for it. The caller then ends the connection.
-    internal Task? ServeAsync(ClientTransport transport)
+    // Serves a connection that another server accepted. The port need not be open. The task ends when the client is no longer served. Returns
+    // false if there is no place for it. The caller then ends the connection.
+    internal bool TryServe(ClientTransport transport, out Task served)
     {
         var completion = new TaskCompletionSource<bool>(TaskCreationOptions.RunContinuationsAsynchronously);
-        return TryServe(() => transport, () => completion.TrySetResult(true)) ? completion.Task : null;
+        served = completion.Task;
+        return TryServe(() => transport, () => completion.TrySetResult(true));
     }
 
     private void OnAccepted(Socket socket)
