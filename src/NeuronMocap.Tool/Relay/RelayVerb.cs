@@ -1,5 +1,6 @@
 using System.CommandLine;
 using System.CommandLine.Parsing;
+using NeuronMocap.AspNetCore;
 using NeuronMocap.Protocol;
 using NeuronMocap.Tool.Arguments;
 using NeuronMocap.Tool.Relay.Destinations;
@@ -15,7 +16,7 @@ internal sealed class RelayVerb : Verb
     private readonly Argument<Destination[]> _to = new("TO")
     {
         Description = $"Where packets go, once or more: {Destination.Forms}. tcp:// listens for clients on this computer; without an address, for every "
-            + "computer. udp:// sends to a computer. A file is written until the end.",
+            + "computer. ws:// listens for browsers and other WebSocket clients; without an address, only for this computer. udp:// sends to a computer. A file is written until the end.",
         Arity = ArgumentArity.OneOrMore,
         CustomParser = ParseDestinations,
     };
@@ -25,6 +26,21 @@ internal sealed class RelayVerb : Verb
     private readonly Option<TimeSpan?> _duration = CommonOptions.Duration("End after this many seconds, as in 2.5; more than 0, at most 1000000.");
     private readonly Option<bool> _once = new("--once") { Description = "End when the connection to the source ends or cannot be made, instead of trying again." };
     private readonly Option<bool> _overwrite = CommonOptions.Overwrite("files");
+    private readonly Option<string?> _token = new("--token")
+    {
+        HelpName = "WORD",
+        Description = "Clients of ws:// must send this word. Without TLS the network can read it.",
+        Arity = ArgumentArity.ExactlyOne,
+    };
+
+    private readonly Option<string[]> _allowOrigin = new("--allow-origin")
+    {
+        HelpName = "ORIGIN",
+        Description = "Web site whose pages may connect to ws://, such as https://show.example; null for pages from files, * for all; may be repeated. Pages of this "
+            + "computer always may.",
+        Arity = ArgumentArity.OneOrMore,
+    };
+
     private readonly Option<TcpDestination?> _commands = new("--commands")
     {
         HelpName = "tcp://[ADDRESS]:PORT",
@@ -39,8 +55,8 @@ internal sealed class RelayVerb : Verb
     {
         Add(_source);
         Add(_to);
-        _to.CompletionSources.Add(TcpDestination.Scheme + ":", UdpDestination.Scheme);
-        AddOptions("Relay", _commands, _duration, _once, _overwrite);
+        _to.CompletionSources.Add(TcpDestination.Scheme + ":", WebSocketDestination.Scheme + ":", UdpDestination.Scheme);
+        AddOptions("Relay", _commands, _token, _allowOrigin, _duration, _once, _overwrite);
         AddOptions("Connection", _connection.All);
         AddOptions("With a file as the source", _playback.All);
         Validators.Add(Reject);
@@ -52,6 +68,7 @@ internal sealed class RelayVerb : Verb
         new("relay 192.168.1.20 tcp://:7001 --commands tcp://:8013", "the same, with the command channel"),
         new("relay udp://:7012 udp://192.168.1.31:7012 udp://192.168.1.32:7012", "datagrams to two computers"),
         new("relay studio tcp://:7001 take.nmrec take.bvh", "to other computers, to a recording and to a BVH file"),
+        new("relay 192.168.1.20 ws://:7100", "to pages in browsers on this computer"),
         new("relay take.nmrec tcp://127.0.0.1:7001 --loop", "a recording, for programs on this computer"),
         new("relay demo tcp://:7001", "a moving skeleton for every computer of the network"),
     ];
@@ -66,7 +83,7 @@ internal sealed class RelayVerb : Verb
     {
         Source source = result.GetValue(_source)!;
         ConnectionOptions connection = _connection.Read(result, source) with { Once = result.GetValue(_once), Duration = result.GetValue(_duration) };
-        var options = new RelayOptions(source, connection, result.GetValue(_to)!)
+        var options = new RelayOptions(source, connection, [.. result.GetValue(_to)!.Select(to => Guard(to, result))])
         {
             Play = source.File is { } file ? _playback.Read(result, file) : null,
             Commands = result.GetValue(_commands),
@@ -90,6 +107,10 @@ internal sealed class RelayVerb : Verb
 
         return [.. destinations];
     }
+
+    private Destination Guard(Destination destination, ParseResult result) => destination is WebSocketDestination web
+        ? web with { Token = result.GetValue(_token), AllowedOrigins = result.GetValue(_allowOrigin) ?? [] }
+        : destination;
 
     private static TcpDestination? ParseCommands(ArgumentResult result)
     {
@@ -119,6 +140,24 @@ internal sealed class RelayVerb : Verb
         RejectDestinations(result, source);
     }
 
+    private void RejectGuards(CommandResult result, Destination[] all)
+    {
+        bool isWeb = Array.Exists(all, static to => to is WebSocketDestination);
+        foreach (Option option in (Option[])[_token, _allowOrigin])
+        {
+            if (IsGiven(result, option) && !isWeb)
+                result.AddError($"{option.Name} needs a destination ws://:PORT: it is for its clients.");
+        }
+
+        if (result.GetResult(_token)?.Tokens is [{ Value: var word }] && (word.Length == 0 || word.Any(char.IsControl)))
+            result.AddError("--token: the word is empty or has a line break.");
+        foreach (Token origin in result.GetResult(_allowOrigin)?.Tokens ?? [])
+        {
+            if (!AllowedOrigin.IsValid(origin.Value))
+                result.AddError($"--allow-origin: '{origin.Value}' is not an origin. Use a scheme and a host, such as https://show.example, or null, or *.");
+        }
+    }
+
     // Words that are no destination have their own error.
     private static Destination[] Find(IReadOnlyList<Token>? words) =>
         [.. (words ?? []).Select(static word => Destination.TryParse(word.Value, out Destination? found, out _) ? found : null).OfType<Destination>()];
@@ -135,8 +174,20 @@ internal sealed class RelayVerb : Verb
                 result.AddError($"{all[i].Text} and {same.Text} are the same destination.");
         }
 
-        if (Find(result.GetResult(_commands)?.Tokens) is [TcpDestination commands] && Array.Find(all, commands.IsSame) is { } taken)
+        Destination[] listening = [.. all.Where(static to => to.Listening is not null)];
+        for (int i = 0; i < listening.Length; i++)
+        {
+            foreach (Destination other in listening[(i + 1)..].Where(other => !listening[i].IsSame(other) && TcpDestination.Clashes(listening[i].Listening!, other.Listening!)))
+                result.AddError($"{listening[i].Text} and {other.Text} need different ports.");
+        }
+
+        if (Find(result.GetResult(_commands)?.Tokens) is [TcpDestination commands]
+            && Array.Find(listening, to => TcpDestination.Clashes(commands.EndPoint, to.Listening!)) is { } taken)
+        {
             result.AddError($"--commands and {taken.Text} need different ports.");
+        }
+
+        RejectGuards(result, all);
         if (IsGiven(result, _overwrite) && Array.TrueForAll(all, static to => to.File is null))
             result.AddError("--overwrite needs a file to write: nothing else can be replaced.");
     }

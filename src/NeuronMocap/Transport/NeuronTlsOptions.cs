@@ -26,6 +26,14 @@ public sealed class NeuronTlsOptions
 
     internal NeuronTlsOptions Copy() => (NeuronTlsOptions)MemberwiseClone();
 
+    // For a connection to an address of the host.
+    internal NeuronTlsOptions For(string host)
+    {
+        NeuronTlsOptions copy = Copy();
+        copy.TargetHost ??= host;
+        return copy;
+    }
+
     internal string? FindFault() => TargetHost is not null && string.IsNullOrWhiteSpace(TargetHost)
         ? "Tls.TargetHost is empty; give the name in the server's certificate, or leave it null."
         : null;
