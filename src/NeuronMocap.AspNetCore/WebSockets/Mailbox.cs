@@ -2,24 +2,28 @@ using NeuronMocap.Delivery;
 
 namespace NeuronMocap.AspNetCore;
 
-/// <summary>The newest message of each avatar for one client. The broadcaster puts messages in, and the client's loop takes them out.</summary>
+/// <summary>The newest messages of each avatar for one client. The broadcaster puts messages in, and the client's loop takes them out.</summary>
 /// <remarks>
-/// A message that the client has not taken in time is replaced and counted. The order of the avatars stays, so none is left out for another. Thread-safe.
+/// Frames often arrive a few at a time, so a few may wait. If there are more, the oldest of the same avatar is dropped and counted. No avatar is left out for
+/// another. Thread-safe.
 /// </remarks>
+/// <param name="depth">Largest number of messages that wait for each avatar and kind.</param>
 /// <param name="maxRate">Frames per second of each avatar and kind; 0 for all.</param>
-internal sealed class Mailbox(double maxRate)
+internal sealed class Mailbox(int depth, double maxRate = 0)
 {
     // A sender can invent avatar numbers. Further ones are dropped.
     private const int MaxSlots = 1024;
 
     private readonly object _lock = new();
     private readonly Dictionary<(int Sender, int Avatar, PacketKind Kind), Slot> _slots = [];
+
+    // The slot of each message that waits, in order.
     private readonly Queue<Slot> _waiting = new();
     private long _dropped;
     private long _skipped;
     private bool _isClosed;
 
-    // Messages that were replaced, or not sent at the end.
+    // Messages that were too old, or not sent at the end.
     public long Dropped => Volatile.Read(ref _dropped);
 
     // Messages that the rate left out.
@@ -45,17 +49,17 @@ internal sealed class Mailbox(double maxRate)
             }
 
             message.AddReference();
-            if (slot.Message is { } older)
-            {
-                older.Release();
-                _dropped++;
-            }
-            else
+            slot.Messages.Enqueue(message);
+            if (slot.Messages.Count <= depth)
             {
                 _waiting.Enqueue(slot);
             }
+            else
+            {
+                slot.Messages.Dequeue().Release();
+                _dropped++;
+            }
 
-            slot.Message = message;
             return true;
         }
     }
@@ -69,7 +73,7 @@ internal sealed class Mailbox(double maxRate)
             if (!_waiting.TryDequeue(out Slot? slot))
                 return false;
 
-            (message, slot.Message) = (slot.Message!, null);
+            message = slot.Messages.Dequeue();
             if (message.Skeleton is { } wanted && wanted != slot.Skeleton)
                 slot.Skeleton = skeleton = wanted;
 
@@ -87,8 +91,7 @@ internal sealed class Mailbox(double maxRate)
             _isClosed = true;
             while (_waiting.TryDequeue(out Slot? slot))
             {
-                slot.Message!.Release();
-                slot.Message = null;
+                slot.Messages.Dequeue().Release();
                 _dropped++;
             }
         }
@@ -108,7 +111,7 @@ internal sealed class Mailbox(double maxRate)
     {
         public ThinningSchedule? Schedule { get; init; }
 
-        public MotionMessage? Message { get; set; }
+        public Queue<MotionMessage> Messages { get; } = new();
 
         // The skeleton that the client knows.
         public byte[]? Skeleton { get; set; }

@@ -9,7 +9,7 @@ namespace NeuronMocap.AspNetCore;
 /// <remarks>
 /// <para>
 /// Each client chooses the form of its messages by the subprotocol, and its rate by the query: see <see cref="WebSocketForm"/> and
-/// <see cref="WebSocketBroadcasterOptions.MaxRate"/>. A client that is too slow gets the newest frame of each avatar and loses older ones. It affects neither the
+/// <see cref="WebSocketBroadcasterOptions.MaxRate"/>. A client that is too slow gets the newest frames of each avatar and loses older ones. It affects neither the
 /// reader nor other clients. The page docs/guide/web.md describes the messages.
 /// </para>
 /// <para>All members are thread-safe. A frame is encoded once for each form in use, on a pool thread. In steady state nothing is allocated per frame.</para>

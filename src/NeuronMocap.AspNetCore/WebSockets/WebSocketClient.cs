@@ -9,12 +9,16 @@ namespace NeuronMocap.AspNetCore;
 /// <summary>One client: a loop that sends its newest messages, and a loop that reads what it sends, which nobody needs.</summary>
 internal sealed class WebSocketClient(WebSocket socket, WebSocketRequest request, HttpContext context)
 {
+    // Half a second at 120 Hz: packets are often recorded or relayed. Whoever draws wants the newest frame.
+    private const int PacketsThatWait = 64;
+    private const int ViewsThatWait = 4;
+
     private const int LargestMessage = 4096;
     private const int MostMessages = 100;
 
     private static readonly TimeSpan CloseTimeout = TimeSpan.FromSeconds(2);
 
-    private readonly Mailbox _mailbox = new(request.MaxRate);
+    private readonly Mailbox _mailbox = new(request.Form == WebSocketForm.Packet ? PacketsThatWait : ViewsThatWait, request.MaxRate);
 
     // One place: the loop takes all messages at each wake-up. It is the only reader, so waiting allocates nothing.
     private readonly Channel<bool> _wakeUp = Channel.CreateBounded<bool>(new BoundedChannelOptions(1) { FullMode = BoundedChannelFullMode.DropWrite, SingleReader = true });

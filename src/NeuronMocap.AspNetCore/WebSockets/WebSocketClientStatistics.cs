@@ -17,7 +17,7 @@ public readonly record struct WebSocketClientStatistics
     /// <summary>Frames that were sent.</summary>
     public long FramesSent { get; init; }
 
-    /// <summary>Frames that a newer one replaced because the client was too slow, and those that were left at its end.</summary>
+    /// <summary>Frames that were dropped for newer ones because the client was too slow, and those that were left at its end.</summary>
     public long FramesDropped { get; init; }
 
     /// <summary>Frames that were left out because of the rate.</summary>

@@ -69,7 +69,7 @@ public sealed class WebSocketSource : ByteSource
             int? answer = HandshakeAnswer.Of(socket);
             socket.Dispose();
             if (timeoutSource.IsCancellationRequested && !cancellationToken.IsCancellationRequested)
-                throw new NeuronConnectionException(ConnectionReason.TimedOut, FormattableString.Invariant($"{Name} did not answer within {ConnectTimeout.TotalSeconds:0.#} s."));
+                throw new NeuronConnectionException(ConnectionReason.TimedOut, FormattableString.Invariant($"The server did not answer within {ConnectTimeout.TotalSeconds:0.#} s."));
             if (exception is WebSocketException failure)
                 throw Describe(answer, failure);
 
@@ -81,14 +81,14 @@ public sealed class WebSocketSource : ByteSource
     {
         (ConnectionReason reason, string text) = answer switch
         {
-            401 => (ConnectionReason.AccessDenied, _token is null ? "it wants a token." : "the token is wrong."),
-            403 => (ConnectionReason.AccessDenied, "it does not allow this client."),
-            404 => (ConnectionReason.Refused, "there is no motion at this path. Check the address."),
-            503 => (ConnectionReason.Refused, "it has no room for another client."),
-            { } code and not SwitchingProtocols => (ConnectionReason.Refused, $"it answers with status {code}. It may not be a server of motion."),
+            401 => (ConnectionReason.AccessDenied, _token is null && Address.Query.Length == 0 ? "The server wants a token." : "The token is wrong."),
+            403 => (ConnectionReason.AccessDenied, "The server does not allow this client."),
+            404 => (ConnectionReason.Refused, "There is no motion at this path. Check the address."),
+            503 => (ConnectionReason.Refused, "The server has no room for another client, or its stream has ended."),
+            { } code and not SwitchingProtocols => (ConnectionReason.Refused, $"The server answers with status {code}. It may not be a server of motion."),
             _ => (ReasonOf(failure), $"{failure.GetBaseException().Message.TrimEnd('.')}."),
         };
-        return new NeuronConnectionException(reason, $"{Name} refuses the connection: {text}");
+        return new NeuronConnectionException(reason, text);
     }
 
     private static ConnectionReason ReasonOf(Exception failure) => failure.GetBaseException() is System.Net.Sockets.SocketException socket

@@ -79,10 +79,12 @@ public sealed class KestrelBroadcastTests
         await using var reader = new NeuronReader(new NeuronReaderOptions { Port = web.Port });
         reader.Start();
         await Limits.UntilAsync(() => relay.GetStatistics().Clients == 2);
+        const int Burst = 30;
         int sent = 0;
         while (relay.GetStatistics().Clients == 2)
         {
-            await motion.SendAsync(TestPackets.Motion(++sent));
+            await motion.SendAsync(TestPackets.Motions(sent + 1, Burst));
+            sent += Burst;
             await reader.WaitForFramesAsync(sent);
         }
 

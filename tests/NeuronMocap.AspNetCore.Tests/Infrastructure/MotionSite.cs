@@ -23,14 +23,18 @@ internal sealed class MotionSite : IAsyncDisposable
 
     public string Address => $"ws://127.0.0.1:{Web.Port}/motion";
 
-    public static async Task<MotionSite> StartAsync(WebSocketBroadcasterOptions? options = null)
+    public static async Task<MotionSite> StartAsync(WebSocketBroadcasterOptions? options = null, Action<WebApplication>? map = null)
     {
         var server = new TestServer();
         var reader = new NeuronReader(server.Options());
         var broadcaster = new WebSocketBroadcaster(reader, options);
         reader.Start();
         TestConnection motion = await server.AcceptAsync();
-        WebServer web = await WebServer.StartAsync(map: application => application.MapNeuronWebSocket("/motion", broadcaster));
+        WebServer web = await WebServer.StartAsync(map: application =>
+        {
+            application.MapNeuronWebSocket("/motion", broadcaster);
+            map?.Invoke(application);
+        });
         return new MotionSite(server, reader, broadcaster, motion, web);
     }
 

@@ -11,7 +11,7 @@ public sealed class MailboxTests
     [Fact]
     public void A_newer_frame_replaces_the_older_one_of_its_avatar_only()
     {
-        var mailbox = new Mailbox(maxRate: 0);
+        var mailbox = new Mailbox(depth: 1);
         for (int frame = 1; frame <= 3; frame++)
         {
             for (int avatar = 0; avatar < 2; avatar++)
@@ -25,9 +25,26 @@ public sealed class MailboxTests
     }
 
     [Fact]
+    public void A_few_frames_wait_in_order()
+    {
+        var mailbox = new Mailbox(depth: 3);
+        for (int frame = 1; frame <= 5; frame++)
+        {
+            Put(mailbox, TestPackets.Motion(frame));
+            if (frame != 4)
+                Put(mailbox, TestPackets.Motion(frame, avatar: 1));
+        }
+
+        Assert.Equal(3, mailbox.Dropped);
+        List<byte[]> taken = TakeAll(mailbox);
+        Assert.Equal([TestPackets.Motion(3), TestPackets.Motion(4), TestPackets.Motion(5)], taken.Where(static packet => MotionHeader.TryRead(packet, out MotionHeader header) && header.AvatarIndex == 0));
+        Assert.Equal(6, taken.Count);
+    }
+
+    [Fact]
     public void What_waits_at_the_end_is_dropped_and_nothing_follows()
     {
-        var mailbox = new Mailbox(maxRate: 0);
+        var mailbox = new Mailbox(depth: 1);
         Put(mailbox, TestPackets.Motion(1));
         mailbox.Close();
         Put(mailbox, TestPackets.Motion(2));
@@ -38,9 +55,8 @@ public sealed class MailboxTests
     [Fact]
     public void Invented_avatars_take_no_memory()
     {
-        var mailbox = new Mailbox(maxRate: 0);
-        for (int avatar = 0; avatar < 2000; avatar++)
-            Put(mailbox, TestPackets.Motion(1, avatar, count: 180));
+        var mailbox = new Mailbox(depth: 1);
+        Put(mailbox, TestPackets.Join(Enumerable.Range(0, 2000).Select(static avatar => TestPackets.Motion(1, avatar, count: 180))), frames: 2000);
 
         Assert.Equal(2000 - 1024, mailbox.Dropped);
         Assert.Equal(1024, TakeAll(mailbox).Count);
@@ -52,7 +68,7 @@ public sealed class MailboxTests
     [InlineData(WebSocketForm.Json)]
     public void A_frame_on_its_way_allocates_nothing(WebSocketForm form)
     {
-        Mailbox[] clients = [new(maxRate: 0), new(maxRate: 10), new(maxRate: 0)];
+        Mailbox[] clients = [new(depth: 2), new(depth: 3, maxRate: 10), new(depth: 1)];
         With(TestPackets.Motion(1), frame => Allocations.AssertNone(() =>
         {
             MotionMessage message = _encoder.Encode(frame, form)!;
@@ -68,7 +84,7 @@ public sealed class MailboxTests
     [Fact]
     public void A_message_in_use_is_not_changed()
     {
-        var mailbox = new Mailbox(maxRate: 0);
+        var mailbox = new Mailbox(depth: 1);
         Put(mailbox, TestPackets.Motion(1));
         Assert.True(mailbox.TryTake(out MotionMessage? held, out _));
         byte[] before = held!.Bytes.ToArray();
@@ -92,12 +108,18 @@ public sealed class MailboxTests
         });
     }
 
-    private void Put(Mailbox mailbox, byte[] packet) => With(packet, frame =>
+    private void Put(Mailbox mailbox, byte[] packets, int frames = 1)
     {
-        MotionMessage message = _encoder.Encode(frame, WebSocketForm.Packet)!;
-        mailbox.Put(message);
-        message.Release();
-    });
+        int taken = 0;
+        With(packets, frame =>
+        {
+            MotionMessage message = _encoder.Encode(frame, WebSocketForm.Packet)!;
+            mailbox.Put(message);
+            message.Release();
+            taken++;
+        });
+        Assert.Equal(frames, taken);
+    }
 
     private static List<byte[]> TakeAll(Mailbox mailbox)
     {
@@ -112,12 +134,12 @@ public sealed class MailboxTests
     }
 
     // Frames come from a reader only.
-    private static void With(byte[] packet, Action<AvatarFrame> use)
+    private static void With(byte[] packets, Action<AvatarFrame> use)
     {
-        using var reader = new NeuronReader(new MemoryStream(packet));
-        using FrameQueue queue = reader.OpenQueue();
+        using var reader = new NeuronReader(new MemoryStream(packets));
+        using FrameQueue queue = reader.OpenQueue(2048);
         reader.Start();
         Assert.True(reader.Completion.Wait(Limits.Unexpected));
-        Assert.Equal(1, queue.Pump(use));
+        Assert.NotEqual(0, queue.Pump(use));
     }
 }

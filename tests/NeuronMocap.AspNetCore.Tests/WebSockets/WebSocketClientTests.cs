@@ -17,10 +17,12 @@ public sealed class WebSocketClientTests
         using Socket sleeper = await ConnectWithoutReadingAsync(site);
         using ClientWebSocket reader = await site.ConnectAsync("packet");
         Task<(WebSocketCloseStatus?, string?)> reading = reader.ReadToEndAsync();
-        long sent = 0;
+        const int Burst = 10;
+        int sent = 0;
         while (site.Broadcaster.GetStatistics().Clients == 2)
         {
-            await site.Motion.SendAsync(TestPackets.Motion((int)sent++ & 0xFFFF));
+            await site.Motion.SendAsync(TestPackets.Motions(sent + 1, Burst));
+            sent += Burst;
             await site.Reader.WaitForFramesAsync(sent);
         }
 

@@ -51,15 +51,15 @@ public sealed class WebSocketSourceTests
     }
 
     [Theory]
-    [InlineData("", null, ConnectionReason.AccessDenied, "it wants a token.")]
-    [InlineData("", "other", ConnectionReason.AccessDenied, "the token is wrong.")]
-    [InlineData("x", "word", ConnectionReason.Refused, "there is no motion at this path. Check the address.")]
+    [InlineData("", null, ConnectionReason.AccessDenied, "The server wants a token.")]
+    [InlineData("", "other", ConnectionReason.AccessDenied, "The token is wrong.")]
+    [InlineData("x", "word", ConnectionReason.Refused, "There is no motion at this path. Check the address.")]
     public async Task A_refusal_says_why(string path, string? token, ConnectionReason reason, string why)
     {
         await using MotionSite site = await MotionSite.StartAsync(new WebSocketBroadcasterOptions { Token = "word" });
-        await using var reader = new NeuronReader(Options(new WebSocketSource(new Uri($"{site.Address}{path}?token=mistyped"), token)));
+        await using var reader = new NeuronReader(Options(new WebSocketSource(new Uri($"{site.Address}{path}"), token)));
         NeuronConnectionException exception = await Assert.ThrowsAsync<NeuronConnectionException>(() => reader.StartAsync(TestContext.Current.CancellationToken).Soon());
-        Assert.Equal((reason, $"Opening {site.Address}{path} failed: {site.Address}{path} refuses the connection: {why}"), (exception.Reason, exception.Message));
+        Assert.Equal((reason, $"Opening {site.Address}{path} failed: {why}"), (exception.Reason, exception.Message));
     }
 
     [Fact]
@@ -73,13 +73,13 @@ public sealed class WebSocketSourceTests
         await using WebServer web = await WebServer.StartAsync(map: static application => application.MapGet("/", static () => "Hello"));
         await using var other = new NeuronReader(Options(new WebSocketSource(new Uri($"ws://127.0.0.1:{web.Port}"))));
         exception = await Assert.ThrowsAsync<NeuronConnectionException>(() => other.StartAsync(TestContext.Current.CancellationToken).Soon());
-        Assert.Contains("it answers with status 200. It may not be a server of motion.", exception.Message, StringComparison.Ordinal);
+        Assert.Contains("The server answers with status 200. It may not be a server of motion.", exception.Message, StringComparison.Ordinal);
 
         using var silent = new TestServer();
         await using var waiting = new NeuronReader(Options(new WebSocketSource(new Uri($"ws://127.0.0.1:{silent.Port}")) { ConnectTimeout = TimeSpan.FromSeconds(0.2) }));
         exception = await Assert.ThrowsAsync<NeuronConnectionException>(() => waiting.StartAsync(TestContext.Current.CancellationToken).Soon());
         Assert.Equal(ConnectionReason.TimedOut, exception.Reason);
-        Assert.Contains("did not answer within 0.2 s.", exception.Message, StringComparison.Ordinal);
+        Assert.Contains("The server did not answer within 0.2 s.", exception.Message, StringComparison.Ordinal);
     }
 
     [Fact]
