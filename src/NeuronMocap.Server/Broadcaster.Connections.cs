@@ -168,6 +168,7 @@ public sealed partial class Broadcaster
         {
             _recipients.Remove(recipient);
             _departed = _departed.Add(recipient.Counters);
+            _forwarder?.Forget(recipient);
             recipient.Stream.HasServed |= recipient is not UdpRecipient && recipient.HadAll;
             Monitor.PulseAll(_lock);
 

@@ -17,7 +17,8 @@ namespace NeuronMocap.Server;
 /// TCP clients only have to connect; they need not send anything. A client can neither end a broadcast nor affect another client.
 /// <para>
 /// All members are thread-safe. One thread listens, one makes the frames of a paced broadcast, and each recipient has a thread that writes to it.
-/// All of them are background threads.
+/// All of them are background threads. On .NET, packets of a <see cref="BroadcasterOptions.Reader"/> are sent on its receive thread to recipients that keep
+/// up; it never waits for them.
 /// </para>
 /// </remarks>
 public sealed partial class Broadcaster : IDisposable, IAsyncDisposable
@@ -63,7 +64,8 @@ public sealed partial class Broadcaster : IDisposable, IAsyncDisposable
         {
             _forwarder = _options.AnswerDataCommands ? new RequestForwarder(reader, _report) : null;
             _streams = CreateStreams((hasMotion, hasCalculation) => new ReaderContent(reader, hasMotion, hasCalculation));
-            _pacer = new ReaderPacer(reader, [.. _streams.Select(static stream => ((UnitContent)stream.Content, stream.Log!))], OnPacerEnded, _report);
+            _pacer = new ReaderPacer(
+                reader, _streams.Select(static stream => ((UnitContent)stream.Content, stream.Log!)), _forwarder is null ? null : _forwarder.Renew, OnPacerEnded, _report);
             return;
         }
 
@@ -242,6 +244,7 @@ public sealed partial class Broadcaster : IDisposable, IAsyncDisposable
             IsBeside = isBeside,
             IsPacketwise = _isPacketwise,
             Forwarder = _forwarder,
+            IsDirect = _options.Reader is not null && DirectSending.IsSupported,
         };
 
     // One plan for each port.

@@ -11,23 +11,27 @@ namespace NeuronMocap.Server;
 /// </summary>
 /// <remarks>
 /// Each client gets its own connection to the server. Bytes pass unchanged in both directions, so commands that this library does not know work too. When one
-/// side ends the connection, the other side sees the end.
+/// side ends the connection, the other side sees the end. A connection that passes no bytes for <see cref="CommandRelayOptions.IdleTimeout"/> is closed.
 /// <para>All members are thread-safe. One background thread listens; the connections use pool threads only while bytes pass.</para>
 /// </remarks>
 public sealed class CommandRelay : IDisposable, IAsyncDisposable
 {
-    private readonly object _lock = new();
     private readonly FaultReport _report = new(nameof(CommandRelay));
     private readonly CommandRelayOptions _options;
-    private readonly List<CommandRelaySession> _sessions = [];
-    private ClientListener? _listener;
-    private bool _hasEnded;
+    private readonly CommandPort _port;
 
     /// <summary>Creates a relay without starting it.</summary>
     /// <param name="options">The settings, which are copied.</param>
     /// <exception cref="ArgumentException">A setting is out of range, and the message names it.</exception>
-    public CommandRelay(CommandRelayOptions options) =>
+    public CommandRelay(CommandRelayOptions options)
+    {
         _options = (options ?? throw new ArgumentNullException(nameof(options))).CopyChecked();
+        _port = new CommandPort(
+            nameof(CommandRelay), "command relay", new IPEndPoint(_options.BindAddress, _options.Port), _options.MaxClients, CreateSession, _report);
+    }
+
+    // Tests replace it.
+    internal Func<long> GetTimestamp { get; init; } = Stopwatch.GetTimestamp;
 
     /// <summary>Occurs when the server cannot be reached for a client. The argument says why.</summary>
     /// <remarks>
@@ -41,59 +45,19 @@ public sealed class CommandRelay : IDisposable, IAsyncDisposable
     }
 
     /// <summary>Address and real port where clients connect. Null before the start.</summary>
-    public IPEndPoint? LocalEndPoint { get; private set; }
+    public IPEndPoint? LocalEndPoint => _port.LocalEndPoint;
 
     /// <summary>Number of clients that are connected.</summary>
-    public int ClientCount
-    {
-        get
-        {
-            lock (_lock)
-                return _sessions.Count;
-        }
-    }
+    public int ClientCount => _port.ClientCount;
 
     /// <summary>Opens the port and starts to listen. The server need not run yet.</summary>
     /// <exception cref="BroadcasterException">The port is not available. The relay can be started again.</exception>
     /// <exception cref="InvalidOperationException">The relay has already been started.</exception>
     /// <exception cref="ObjectDisposedException">The relay has been stopped.</exception>
-    public void Start()
-    {
-        lock (_lock)
-        {
-            if (_hasEnded)
-                throw new ObjectDisposedException(nameof(CommandRelay), "The command relay has been stopped.");
-            if (_listener is not null)
-                throw new InvalidOperationException("The command relay has already been started.");
-
-            var endPoint = new IPEndPoint(_options.BindAddress, _options.Port);
-            try
-            {
-                _listener = new ClientListener(endPoint, OnAccepted, _report);
-            }
-            catch (SocketException exception)
-            {
-                throw BroadcasterException.CannotListen(endPoint, nameof(CommandRelayOptions.Port), exception);
-            }
-
-            LocalEndPoint = _listener.LocalEndPoint;
-            _listener.Worker.Start();
-        }
-    }
+    public void Start() => _port.Start();
 
     /// <summary>Closes all connections at once and ends the thread. Returns within seconds and can be called repeatedly.</summary>
-    public void Stop()
-    {
-        lock (_lock)
-        {
-            _hasEnded = true;
-            _listener?.Dispose();
-            _sessions.ForEach(static session => session.Dispose());
-        }
-
-        if (_listener is { } listener)
-            WorkerList.Join([listener.Worker]);
-    }
+    public void Stop() => _port.Dispose();
 
     /// <summary>Stops the relay, as <see cref="Stop"/> does.</summary>
     public void Dispose() => Stop();
@@ -102,45 +66,5 @@ public sealed class CommandRelay : IDisposable, IAsyncDisposable
     /// <returns>A task that completes when everything is closed.</returns>
     public ValueTask DisposeAsync() => new(Task.Run(Stop));
 
-    private void OnAccepted(Socket client)
-    {
-        CommandRelaySession session;
-        lock (_lock)
-        {
-            if (_hasEnded || _sessions.Count >= _options.MaxClients)
-            {
-                client.Dispose();
-                return;
-            }
-
-            session = new CommandRelaySession(client, _options, LocalEndPoint!);
-            _sessions.Add(session);
-        }
-
-        _ = RunAsync(session);
-    }
-
-    private async Task RunAsync(CommandRelaySession session)
-    {
-        Exception? failure = null;
-        try
-        {
-            await session.RunAsync().ConfigureAwait(false);
-        }
-        catch (Exception exception)
-        {
-            failure = exception;
-        }
-
-        bool isStopping;
-        lock (_lock)
-        {
-            _sessions.Remove(session);
-            isStopping = _hasEnded;
-        }
-
-        session.Dispose();
-        if (failure is not null && !isStopping)
-            _report.Report(failure);
-    }
+    private CommandRelaySession CreateSession(Socket client) => new(client, _options, LocalEndPoint!, GetTimestamp, _port.OnEnded, _report);
 }

@@ -21,18 +21,11 @@ namespace NeuronMocap.Server;
 /// </remarks>
 public sealed class CommandServer : IDisposable, IAsyncDisposable
 {
-    // A client that has just connected is about to send a request. A client that has just been answered often sends another.
-    private static readonly long SafeTime = 2 * Stopwatch.Frequency;
-
-    private readonly object _lock = new();
     private readonly FaultReport _report = new(nameof(CommandServer));
     private readonly CommandServerOptions _options;
     private readonly CommandAnswers _answers;
-    private readonly List<CommandSession> _sessions = [];
-    private readonly WorkerList _workers = new();
+    private readonly CommandPort _port;
     private readonly ManualResetEventSlim _stop = new();
-    private ClientListener? _listener;
-    private bool _hasEnded;
 
     /// <summary>Creates a server without starting it.</summary>
     /// <param name="broadcaster">The broadcaster whose avatars the commands concern. The server does not start, stop or dispose it.</param>
@@ -48,6 +41,8 @@ public sealed class CommandServer : IDisposable, IAsyncDisposable
 
         _answers = new CommandAnswers(plan, broadcaster.FrameRate, broadcaster.ZeroOut, broadcaster.ZeroOutAll);
         _options = (options ?? new CommandServerOptions()).CopyChecked();
+        _port = new CommandPort(
+            nameof(CommandServer), "command server", new IPEndPoint(_options.BindAddress, _options.Port), _options.MaxClients, CreateSession, _report);
     }
 
     // Tests replace it.
@@ -65,60 +60,22 @@ public sealed class CommandServer : IDisposable, IAsyncDisposable
     }
 
     /// <summary>Address and real port where clients connect. Null before the start.</summary>
-    public IPEndPoint? LocalEndPoint { get; private set; }
+    public IPEndPoint? LocalEndPoint => _port.LocalEndPoint;
 
     /// <summary>Number of clients that are connected.</summary>
-    public int ClientCount
-    {
-        get
-        {
-            lock (_lock)
-                return _sessions.Count;
-        }
-    }
+    public int ClientCount => _port.ClientCount;
 
     /// <summary>Opens the port and starts to listen.</summary>
     /// <exception cref="BroadcasterException">The port is not available. The server can be started again.</exception>
     /// <exception cref="InvalidOperationException">The server has already been started.</exception>
     /// <exception cref="ObjectDisposedException">The server has been stopped.</exception>
-    public void Start()
-    {
-        lock (_lock)
-        {
-            if (_hasEnded)
-                throw new ObjectDisposedException(nameof(CommandServer), "The command server has been stopped.");
-            if (_listener is not null)
-                throw new InvalidOperationException("The command server has already been started.");
-
-            var endPoint = new IPEndPoint(_options.BindAddress, _options.Port);
-            try
-            {
-                _listener = new ClientListener(endPoint, OnAccepted, _report);
-            }
-            catch (SocketException exception)
-            {
-                throw BroadcasterException.CannotListen(endPoint, nameof(CommandServerOptions.Port), exception);
-            }
-
-            LocalEndPoint = _listener.LocalEndPoint;
-            Launch(_listener.Worker);
-        }
-    }
+    public void Start() => _port.Start();
 
     /// <summary>Closes all connections at once and ends all threads. Returns within seconds and can be called repeatedly.</summary>
     public void Stop()
     {
-        Worker[] workers;
-        lock (_lock)
-        {
-            _hasEnded = true;
-            _stop.Set();
-            _listener?.Dispose();
-            _sessions.ForEach(session => session.Dispose());
-            workers = _workers.ToArray();
-        }
-
-        WorkerList.Join(workers);
+        _stop.Set();
+        _port.Dispose();
     }
 
     /// <summary>Stops the server, as <see cref="Stop"/> does.</summary>
@@ -134,67 +91,17 @@ public sealed class CommandServer : IDisposable, IAsyncDisposable
     {
         var completion = new TaskCompletionSource<bool>(TaskCreationOptions.RunContinuationsAsynchronously);
         served = completion.Task;
-        return TryServe(() => transport, () => completion.TrySetResult(true));
-    }
+        return _port.TryServe(() => CreateSession(transport, OnEnded));
 
-    private void OnAccepted(Socket socket)
-    {
-        if (!TryServe(() => new SocketTransport(socket, CommandSession.SendTimeout), ended: null))
-            socket.Dispose();
-    }
-
-    private bool TryServe(Func<ClientTransport> open, Action? ended)
-    {
-        lock (_lock)
+        void OnEnded(ICommandSession session)
         {
-            if (_hasEnded || (CountClients() >= _options.MaxClients && !TryMakeRoom()))
-                return false;
-
-            try
-            {
-                var session = new CommandSession(open(), _answers, _options, GetTimestamp, _stop, session => OnEnded(session, ended), _report);
-                Launch(session.Worker);
-                _sessions.Add(session);
-                return true;
-            }
-            catch (Exception exception) when (exception is SocketException or OutOfMemoryException)
-            {
-                // The client reset the connection before it was served, or the system cannot create a thread.
-                return false;
-            }
+            _port.OnEnded(session);
+            completion.TrySetResult(true);
         }
     }
 
-    // A client that reconnects has closed its old connection, but the old session may not have noticed yet. Only a full server needs to check.
-    private int CountClients() => _sessions.Count < _options.MaxClients ? _sessions.Count : _sessions.Count(static session => !session.IsLeft);
+    private CommandSession CreateSession(Socket socket) => CreateSession(new SocketTransport(socket, CommandSession.SendTimeout), _port.OnEnded);
 
-    // Clients that never sent a request give way before clients that did. Connections that only take up room displace each other.
-    private bool TryMakeRoom()
-    {
-        CommandSession? oldest = _sessions
-            .Where(static session => session.Idle.Elapsed > SafeTime)
-            .OrderBy(static session => session.Idle.HasAsked)
-            .ThenByDescending(static session => session.Idle.Elapsed)
-            .FirstOrDefault();
-        if (oldest is null)
-            return false;
-
-        _sessions.Remove(oldest);
-        oldest.Dispose();
-        return true;
-    }
-
-    private void Launch(Worker worker)
-    {
-        worker.Start();
-        _workers.Add(worker);
-    }
-
-    private void OnEnded(CommandSession session, Action? ended)
-    {
-        lock (_lock)
-            _sessions.Remove(session);
-
-        ended?.Invoke();
-    }
+    private CommandSession CreateSession(ClientTransport transport, Action<ICommandSession> ended) =>
+        new(transport, _answers, _options, GetTimestamp, _stop, ended, _report);
 }

@@ -18,8 +18,10 @@ for build in net8.0 netstandard2.1; do
     done
 done
 
-# Only this build takes pipes.
-dotnet "$scratch/net8.0/NeuronMocap.Benchmarks.dll" pipe --json "$out/net8.0-pipe.json"
+# Only this build takes pipes, and relays on the receive thread.
+for command in pipe relay; do
+    dotnet "$scratch/net8.0/NeuronMocap.Benchmarks.dll" "$command" --json "$out/net8.0-$command.json"
+done
 
 # The Unity package takes the netstandard2.1 build.
 dotnet "$scratch/netstandard2.1/NeuronMocap.Benchmarks.dll" unity --json "$out/netstandard2.1-unity.json"

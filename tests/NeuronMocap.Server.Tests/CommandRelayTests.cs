@@ -1,3 +1,4 @@
+using System.Diagnostics;
 using System.Net.Sockets;
 using NeuronMocap.Commands;
 using NeuronMocap.Tests.Network;
@@ -68,7 +69,7 @@ public sealed class CommandRelayTests
     public async Task The_limit_of_clients_holds_and_a_place_becomes_free_again()
     {
         using var server = new TestServer();
-        await using CommandRelay relay = Started(server.Port, maxClients: 1);
+        await using CommandRelay relay = Started(server.Port, maxClients: 1, getTimestamp: static () => 0);
         TestClient first = await TestClient.ConnectAsync(relay.LocalEndPoint);
         using TestConnection behind = await server.AcceptAsync();
         using (TestClient second = await TestClient.ConnectAsync(relay.LocalEndPoint))
@@ -80,6 +81,68 @@ public sealed class CommandRelayTests
         using TestConnection next = await server.AcceptAsync();
         await next.SendAsync((byte[])[7]);
         Assert.Equal([7], await ReadAsync(third.Socket, 1));
+    }
+
+    [Fact]
+    public async Task A_full_relay_drops_the_client_that_has_been_idle_the_longest()
+    {
+        long now = 0;
+        using var server = new TestServer();
+        await using CommandRelay relay = Started(server.Port, maxClients: 2, getTimestamp: () => Volatile.Read(ref now));
+        using TestClient asked = await TestClient.ConnectAsync(relay.LocalEndPoint);
+        using TestConnection behindAsked = await server.AcceptAsync();
+        await asked.Socket.SendAsync((byte[])[1]);
+        Assert.Equal([1], await ReadAsync(behindAsked.Socket, 1));
+        Interlocked.Add(ref now, 10 * Stopwatch.Frequency);
+        using TestClient silent = await TestClient.ConnectAsync(relay.LocalEndPoint);
+        using TestConnection behindSilent = await server.AcceptAsync();
+        await behindSilent.SendAsync((byte[])[4]);
+        Assert.Equal([4], await ReadAsync(silent.Socket, 1));
+        Interlocked.Add(ref now, 3 * Stopwatch.Frequency);
+        using TestClient third = await TestClient.ConnectAsync(relay.LocalEndPoint);
+        Assert.Empty(await ReadAsync(silent.Socket, 1));
+        Assert.Empty(await ReadAsync(behindSilent.Socket, 1));
+        using TestConnection behindThird = await server.AcceptAsync();
+        await behindThird.SendAsync((byte[])[3]);
+        Assert.Equal([3], await ReadAsync(third.Socket, 1));
+        await behindAsked.SendAsync((byte[])[2]);
+        Assert.Equal([2], await ReadAsync(asked.Socket, 1));
+    }
+
+    [Theory]
+    [InlineData(false)]
+    [InlineData(true)]
+    public async Task A_connection_that_passes_nothing_is_closed_after_the_idle_time(bool isServerActive)
+    {
+        long now = 0;
+        int reads = 0;
+        using var server = new TestServer();
+        await using CommandRelay relay = Started(server.Port, idleTimeout: TimeSpan.FromSeconds(1), getTimestamp: ReadTime);
+        using TestClient client = await TestClient.ConnectAsync(relay.LocalEndPoint);
+        using TestConnection behind = await server.AcceptAsync();
+        for (int i = 0; i < 3; i++)
+        {
+            (Socket from, Socket to) = isServerActive ? (behind.Socket, client.Socket) : (client.Socket, behind.Socket);
+            await from.SendAsync((byte[])[(byte)i]);
+            Assert.Equal([(byte)i], await ReadAsync(to, 1));
+            Interlocked.Add(ref now, Stopwatch.Frequency * 3 / 4);
+        }
+
+        // The relay has looked at the clock again, and the connection still passes bytes.
+        int before = Volatile.Read(ref reads);
+        await Limits.UntilAsync(() => Volatile.Read(ref reads) > before + 1);
+        await client.Socket.SendAsync((byte[])[9]);
+        Assert.Equal([9], await ReadAsync(behind.Socket, 1));
+        Interlocked.Add(ref now, Stopwatch.Frequency);
+        Assert.Empty(await ReadAsync(client.Socket, 1));
+        Assert.Empty(await ReadAsync(behind.Socket, 1));
+        await Limits.UntilAsync(() => relay.ClientCount == 0);
+
+        long ReadTime()
+        {
+            Interlocked.Increment(ref reads);
+            return Volatile.Read(ref now);
+        }
     }
 
     [Fact]
@@ -138,14 +201,17 @@ public sealed class CommandRelayTests
         AssertRefused(nameof(CommandRelayOptions.Port), new CommandRelayOptions { Host = "studio", Port = -1 });
         AssertRefused(nameof(CommandRelayOptions.MaxClients), new CommandRelayOptions { Host = "studio", MaxClients = 0 });
         AssertRefused(nameof(CommandRelayOptions.ConnectTimeout), new CommandRelayOptions { Host = "studio", ConnectTimeout = TimeSpan.Zero });
+        AssertRefused(nameof(CommandRelayOptions.IdleTimeout), new CommandRelayOptions { Host = "studio", IdleTimeout = TimeSpan.FromMilliseconds(999) });
 
         static void AssertRefused(string setting, CommandRelayOptions options) =>
             Assert.Equal(setting, Assert.Throws<ArgumentException>(() => new CommandRelay(options)).ParamName);
     }
 
-    private static CommandRelay Started(int port, int maxClients = 32)
+    private static CommandRelay Started(int port, int maxClients = 32, TimeSpan? idleTimeout = null, Func<long>? getTimestamp = null)
     {
-        var relay = new CommandRelay(new CommandRelayOptions { Host = "127.0.0.1", HostPort = port, Port = 0, MaxClients = maxClients });
+        var options = new CommandRelayOptions { Host = "127.0.0.1", HostPort = port, Port = 0, MaxClients = maxClients };
+        options.IdleTimeout = idleTimeout ?? options.IdleTimeout;
+        var relay = new CommandRelay(options) { GetTimestamp = getTimestamp ?? Stopwatch.GetTimestamp };
         relay.Start();
         return relay;
     }

@@ -23,6 +23,7 @@ public sealed partial class CommandLineTests
     [InlineData("--order", "watch", "--order", "XXY")]
     [InlineData("--order", "watch", "--order", "1")]
     [InlineData("--quiet", "watch", "--json", "--quiet")]
+    [InlineData("--quiet", "relay", "demo", "tcp://:7001", "--json", "--quiet")]
     [InlineData("'port' in 'studio:port' is not a port", "watch", "studio:port")]
     [InlineData("'b'", "watch", "studio", "b")]
     [InlineData("--colour", "watch", "--colour")]
@@ -280,7 +281,7 @@ public sealed partial class CommandLineTests
     [InlineData("convert", "--from", "--to", "--resample", "--order", "--output-order", "--avatar", "--rate", "--overwrite")]
     [InlineData("plot", "--from", "--to", "--order", "--avatar", "--rate", "--overwrite")]
     [InlineData("command", "--avatar", "--json")]
-    [InlineData("relay", "--commands", "--duration", "--once", "--overwrite", "--command-port", "--calculation-port", "--speed", "--rate", "--loop")]
+    [InlineData("relay", "--json", "--quiet", "--commands", "--duration", "--once", "--overwrite", "--command-port", "--calculation-port", "--speed", "--rate", "--loop")]
     [InlineData("simulate", "--port", "--bvh", "--calc", "--play", "--speed", "--udp", "--calculation-port", "--command-port", "--bind")]
     public async Task The_options_that_scripts_rely_on_exist(string verb, params string[] options)
     {

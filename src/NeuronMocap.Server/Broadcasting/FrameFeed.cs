@@ -20,6 +20,12 @@ internal abstract class FrameFeed
     /// <returns>The packets that were written. Empty after <see cref="Wake"/>, and when no more packets will follow.</returns>
     public abstract FrameBatch Read(Span<byte> destination);
 
+    /// <summary>Lets the feed hand units to the recipient on another thread while <see cref="Read"/> waits. Called before the first read.</summary>
+    /// <param name="recipient">The recipient.</param>
+    public virtual void Attach(IDirectRecipient recipient)
+    {
+    }
+
     /// <summary>Releases the data that the feed reads from. Called after the last read.</summary>
     public virtual void Close()
     {

@@ -5,13 +5,20 @@ namespace NeuronMocap.Server.Broadcasting;
 /// The ring is the bounded queue of all clients. A client that falls behind by more than its length continues at the oldest frame left and is told
 /// how many packets it missed. The writer never waits for a reader; it only waits for the lock, which a reader holds while it copies. A frame may
 /// appear packet by packet. The first packet that a reader gets is always the first packet of a frame.
+/// <para>
+/// Each reader has its own signal, so a frame wakes only the readers that wait. Readers with an <see cref="IDirectRecipient"/> usually do not wake at all.
+/// </para>
 /// </remarks>
 /// <param name="length">Number of frames to keep, including the frame that is appearing.</param>
 /// <param name="packetsPerFrame">Number of packets in every frame.</param>
-internal sealed class FrameLog(int length, int packetsPerFrame = 1)
+internal sealed partial class FrameLog(int length, int packetsPerFrame = 1)
 {
     private readonly object _lock = new();
     private readonly Slot[] _slots = new Slot[length];
+    private readonly List<FrameCursor> _cursors = [];
+
+    // Used by the writer only.
+    private readonly List<FrameCursor> _toSignal = [];
     private long _end;
     private bool _isFramePending;
     private bool _isComplete;
@@ -21,7 +28,19 @@ internal sealed class FrameLog(int length, int packetsPerFrame = 1)
     public FrameCursor CreateCursor()
     {
         lock (_lock)
-            return FrameCursor.At(_end);
+        {
+            var cursor = FrameCursor.At(_end);
+            _cursors.Add(cursor);
+            return cursor;
+        }
+    }
+
+    /// <summary>Forgets a position. Its reader does not read any more.</summary>
+    /// <param name="cursor">The position of the reader.</param>
+    public void Remove(FrameCursor cursor)
+    {
+        lock (_lock)
+            _cursors.Remove(cursor);
     }
 
     /// <summary>Adds a frame. The oldest frame is removed when the ring is full.</summary>
@@ -44,15 +63,11 @@ internal sealed class FrameLog(int length, int packetsPerFrame = 1)
             if (!_isFramePending)
                 _end++;
 
-            Monitor.PulseAll(_lock);
+            EndWaits();
         }
+
+        SignalAll();
     }
-
-    /// <summary>Holds the readers back until <see cref="Release"/>, so that they get frames that arrived together in one read.</summary>
-    public void Hold() => Monitor.Enter(_lock);
-
-    /// <summary>Lets the readers read again. Called on the thread that called <see cref="Hold"/>.</summary>
-    public void Release() => Monitor.Exit(_lock);
 
     /// <summary>Marks the end of the broadcast. Readers still get the frames in the ring.</summary>
     public void Complete()
@@ -60,7 +75,7 @@ internal sealed class FrameLog(int length, int packetsPerFrame = 1)
         lock (_lock)
         {
             _isComplete = true;
-            Monitor.PulseAll(_lock);
+            _cursors.ForEach(static cursor => cursor.Signal());
         }
     }
 
@@ -70,7 +85,7 @@ internal sealed class FrameLog(int length, int packetsPerFrame = 1)
         lock (_lock)
         {
             _isAborted = true;
-            Monitor.PulseAll(_lock);
+            _cursors.ForEach(static cursor => cursor.Signal());
         }
     }
 
@@ -81,7 +96,8 @@ internal sealed class FrameLog(int length, int packetsPerFrame = 1)
         lock (_lock)
         {
             cursor.IsWoken = true;
-            Monitor.PulseAll(_lock);
+            cursor.IsWaiting = false;
+            cursor.Signal();
         }
     }
 
@@ -92,35 +108,16 @@ internal sealed class FrameLog(int length, int packetsPerFrame = 1)
     /// <returns>The packets that were copied. Empty after <see cref="Wake"/>, after the end and after <see cref="Abort"/>.</returns>
     public FrameBatch Read(FrameCursor cursor, Span<byte> destination, int maxFrames = int.MaxValue)
     {
-        lock (_lock)
+        while (true)
         {
-            while (!HasMore(cursor) && !_isComplete && !_isAborted && !cursor.IsWoken)
-                Monitor.Wait(_lock);
-
-            cursor.IsWoken = false;
-            long missed = CountOverwritten(cursor);
-            if (missed > 0)
-                cursor.Skip(Oldest, missed);
-
-            int first = cursor.Packets;
-            int bytes = 0;
-            int packets = 0;
-            for (int frame = 0; frame < maxFrames && !_isAborted && HasMore(cursor); frame++)
+            lock (_lock)
             {
-                Slot slot = _slots[cursor.Position % _slots.Length];
-                ReadOnlySpan<byte> rest = slot.Bytes[cursor.Bytes..];
-                if (!rest.TryCopyTo(destination[bytes..]))
-                    break;
-
-                bytes += rest.Length;
-                packets += slot.Packets - cursor.Packets;
-                if (cursor.Position < _end)
-                    cursor.MoveTo(cursor.Position + 1);
-                else
-                    cursor.MoveWithin(slot.Bytes.Length, slot.Packets);
+                cursor.IsWaiting = !HasMore(cursor) && !_isComplete && !_isAborted && !cursor.IsWoken;
+                if (!cursor.IsWaiting)
+                    return Copy(cursor, destination, maxFrames);
             }
 
-            return new FrameBatch(bytes, packets, first);
+            cursor.Wait();
         }
     }
 
@@ -157,6 +154,55 @@ internal sealed class FrameLog(int length, int packetsPerFrame = 1)
 
     private long CountOverwritten(FrameCursor cursor) =>
         cursor.Position < Oldest ? ((Oldest - cursor.Position) * packetsPerFrame) - cursor.Packets : 0;
+
+    private FrameBatch Copy(FrameCursor cursor, Span<byte> destination, int maxFrames)
+    {
+        cursor.IsWoken = false;
+        long missed = CountOverwritten(cursor);
+        if (missed > 0)
+            cursor.Skip(Oldest, missed);
+
+        int first = cursor.Packets;
+        int bytes = 0;
+        int packets = 0;
+        for (int frame = 0; frame < maxFrames && !_isAborted && HasMore(cursor); frame++)
+        {
+            Slot slot = _slots[cursor.Position % _slots.Length];
+            ReadOnlySpan<byte> rest = slot.Bytes[cursor.Bytes..];
+            if (!rest.TryCopyTo(destination[bytes..]))
+                break;
+
+            bytes += rest.Length;
+            packets += slot.Packets - cursor.Packets;
+            if (cursor.Position < _end)
+                cursor.MoveTo(cursor.Position + 1);
+            else
+                cursor.MoveWithin(slot.Bytes.Length, slot.Packets);
+        }
+
+        return new FrameBatch(bytes, packets, first);
+    }
+
+    // Signals come after the lock is released. Otherwise the readers would wake only to wait for it.
+    private void EndWaits()
+    {
+        foreach (FrameCursor cursor in _cursors)
+        {
+            if (!cursor.IsWaiting || !HasMore(cursor))
+                continue;
+
+            cursor.IsWaiting = false;
+            _toSignal.Add(cursor);
+        }
+    }
+
+    private void SignalAll()
+    {
+        foreach (FrameCursor cursor in _toSignal)
+            cursor.Signal();
+
+        _toSignal.Clear();
+    }
 
     private struct Slot
     {

@@ -15,5 +15,9 @@ internal sealed class LiveFeed(FrameLog log, bool isSingle = false) : FrameFeed
 
     public override FrameBatch Read(Span<byte> destination) => log.Read(_cursor, destination, isSingle ? 1 : int.MaxValue);
 
+    public override void Attach(IDirectRecipient recipient) => log.Attach(_cursor, recipient);
+
     public override void Wake() => log.Wake(_cursor);
+
+    public override void Close() => log.Remove(_cursor);
 }

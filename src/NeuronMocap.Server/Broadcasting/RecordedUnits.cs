@@ -6,6 +6,7 @@ namespace NeuronMocap.Server.Broadcasting;
 internal sealed class RecordedUnits(RecordedEventSource source) : IDisposable
 {
     private readonly UnitParser _parser = new(source.MaxValues, keepsIncomplete: true);
+    private int _next;
     private bool _hasEnded;
 
     public TimeSpan Duration => source.Duration;
@@ -19,18 +20,25 @@ internal sealed class RecordedUnits(RecordedEventSource source) : IDisposable
     /// <returns>False at the end.</returns>
     public bool TryRead(out ReadOnlySpan<byte> unit, out TimeSpan time)
     {
-        bool isCalculation;
-        while (!_parser.TryTake(out unit, out time, out isCalculation))
+        UnitBatch units = _parser.Units;
+        while (_next == units.Count)
         {
             if (_hasEnded)
+            {
+                unit = default;
+                time = default;
                 return false;
+            }
 
             RecordedEvent recorded = source.Read();
             _hasEnded = recorded.Kind == RecordedEventKind.End;
             _parser.Follow(recorded);
+            _next = 0;
         }
 
-        IsCalculation = isCalculation;
+        unit = units.BytesOf(_next);
+        time = units.TimeOf(_next);
+        IsCalculation = units.IsCalculation(_next++);
         return true;
     }
 

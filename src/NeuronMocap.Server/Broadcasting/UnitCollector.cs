@@ -11,21 +11,18 @@ internal sealed class UnitCollector(bool keepsIncomplete) : IPacketReceiver
     // When this many bytes do not belong to a packet, they form a unit and no longer wait for a packet.
     public const int MaxNoiseLength = 16 * 1024;
 
-    private readonly List<(int End, TimeSpan Time, bool IsCalculation)> _units = [];
-    private byte[] _bytes = new byte[64 * 1024];
-    private int _length;
-    private int _textStart;
+    private int _textLength;
     private bool _isText;
-    private int _next;
     private long _incompletePackets;
 
     // Thread-safe.
     public long IncompletePackets => Interlocked.Read(ref _incompletePackets);
 
+    // The units that are complete. They are removed before the next piece.
+    public UnitBatch Units { get; } = new();
+
     // Arrival time of the bytes that come next.
     public TimeSpan Time { get; set; }
-
-    private int Start => _units.Count > 0 ? _units[^1].End : 0;
 
     // OnText has already received the bytes of a line.
     public void OnPacket(in ReceivedPacket packet)
@@ -37,7 +34,7 @@ internal sealed class UnitCollector(bool keepsIncomplete) : IPacketReceiver
         else
         {
             EndBlanks();
-            Append(packet.Bytes);
+            Units.Append(packet.Bytes);
         }
 
         Cut(packet.Kind is PacketKind.Calculation or PacketKind.StudioCalculation);
@@ -47,8 +44,8 @@ internal sealed class UnitCollector(bool keepsIncomplete) : IPacketReceiver
     {
         EndBlanks();
         _isText = true;
-        _textStart = _length;
-        Append(bytes);
+        _textLength = bytes.Length;
+        Units.Append(bytes);
     }
 
     public void OnSkipped(ReadOnlySpan<byte> bytes, SkipReason reason)
@@ -62,10 +59,10 @@ internal sealed class UnitCollector(bool keepsIncomplete) : IPacketReceiver
 
         while (bytes.Length > 0)
         {
-            int count = Math.Min(bytes.Length, MaxNoiseLength - (_length - Start));
-            Append(bytes[..count]);
+            int count = Math.Min(bytes.Length, MaxNoiseLength - Units.Rest);
+            Units.Append(bytes[..count]);
             bytes = bytes[count..];
-            if (_length - Start == MaxNoiseLength)
+            if (Units.Rest == MaxNoiseLength)
                 Cut();
         }
     }
@@ -74,26 +71,8 @@ internal sealed class UnitCollector(bool keepsIncomplete) : IPacketReceiver
     public void EndPiece(bool isLast)
     {
         EndBlanks();
-        if (isLast && _length > Start)
+        if (isLast && Units.Rest > 0)
             Cut();
-    }
-
-    // The unit is valid until the next piece.
-    public bool TryTake(out ReadOnlySpan<byte> unit, out TimeSpan time, out bool isCalculation)
-    {
-        if (_next == _units.Count)
-        {
-            KeepRest();
-            unit = default;
-            time = default;
-            isCalculation = false;
-            return false;
-        }
-
-        int start = _next == 0 ? 0 : _units[_next - 1].End;
-        (int end, time, isCalculation) = _units[_next++];
-        unit = _bytes.AsSpan(start, end - start);
-        return true;
     }
 
     // Text without a frame: if it stands directly behind a line, it belongs to that line, whose reader may wait for it.
@@ -103,30 +82,12 @@ internal sealed class UnitCollector(bool keepsIncomplete) : IPacketReceiver
             return;
 
         _isText = false;
-        bool isBehindLine = _textStart == Start && _units.Count > 0 && _length - _textStart <= MaxNoiseLength;
+        bool isBehindLine = Units.Rest == _textLength && Units.Count > 0 && _textLength <= MaxNoiseLength;
         if (isBehindLine)
-            _units[^1] = _units[^1] with { End = _length };
+            Units.ExtendLast();
         else
             Cut();
     }
 
-    private void Cut(bool isCalculation = false) => _units.Add((_length, Time, isCalculation));
-
-    private void KeepRest()
-    {
-        int start = Start;
-        _bytes.AsSpan(start, _length - start).CopyTo(_bytes);
-        _length -= start;
-        _units.Clear();
-        _next = 0;
-    }
-
-    private void Append(ReadOnlySpan<byte> bytes)
-    {
-        if (_bytes.Length - _length < bytes.Length)
-            Array.Resize(ref _bytes, Math.Max(_length + bytes.Length, 2 * _bytes.Length));
-
-        bytes.CopyTo(_bytes.AsSpan(_length));
-        _length += bytes.Length;
-    }
+    private void Cut(bool isCalculation = false) => Units.Cut(Time, isCalculation);
 }

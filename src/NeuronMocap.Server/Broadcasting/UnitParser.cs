@@ -26,13 +26,17 @@ internal sealed class UnitParser
     /// <summary>Number of packets that were cut off and not kept. Thread-safe.</summary>
     public long IncompletePackets => _collector.IncompletePackets;
 
+    /// <summary>The units that the last event completed, valid until the next event.</summary>
+    public UnitBatch Units => _collector.Units;
+
     /// <summary>Maximum size of a unit in bytes.</summary>
     public static int LongestUnit(int maxValues) => UnitCollector.MaxNoiseLength
         + ProtocolConstants.HeaderSize + Math.Max(maxValues * sizeof(float), ProtocolConstants.MaxCommandPayload) + UnitCollector.MaxNoiseLength;
 
-    /// <summary>Takes the next event of the connections. All units of the previous event must be taken before.</summary>
+    /// <summary>Takes the next event of the connections, and removes the units of the previous one.</summary>
     public void Follow(in RecordedEvent received)
     {
+        Units.RemoveUnits();
         bool ends = received.Kind == RecordedEventKind.End || _parser.Ends(received);
         _collector.Time = received.Time;
         if (ends)
@@ -43,11 +47,4 @@ internal sealed class UnitParser
         _parser.Follow(received, timestamp: 0);
         _collector.EndPiece(ends);
     }
-
-    /// <summary>Takes the next unit.</summary>
-    /// <param name="unit">The bytes of the unit, valid until the next event.</param>
-    /// <param name="time">The time at which the unit was complete.</param>
-    /// <param name="isCalculation">Whether the unit is a calculation packet.</param>
-    /// <returns>False if no unit is complete.</returns>
-    public bool TryTake(out ReadOnlySpan<byte> unit, out TimeSpan time, out bool isCalculation) => _collector.TryTake(out unit, out time, out isCalculation);
 }

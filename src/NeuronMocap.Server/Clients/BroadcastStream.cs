@@ -22,6 +22,9 @@ internal sealed class BroadcastStream(BroadcastContent content, FrameLog? log, D
     // Whether TCP clients get every packet in a separate write.
     public bool IsPacketwise { get; init; }
 
+    // Whether the thread that publishes sends to clients that keep up.
+    public bool IsDirect { get; init; }
+
     // Null if only UDP destinations are served.
     public ClientListener? Listener { get; private set; }
 

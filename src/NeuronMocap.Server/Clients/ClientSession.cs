@@ -6,11 +6,11 @@ namespace NeuronMocap.Server.Clients;
 
 /// <summary>The connection of a client. Clients need not send anything (protocol.md section 4.1).</summary>
 /// <remarks>
-/// Commands of clients are answered between whole packets (section 7), or passed to the server of a reader. Where the packets of a frame are sent one by one, that can be in the middle
-/// of a frame. Everything that clients send is read. Closing a socket with unread bytes would reset the connection and discard the client's last
-/// frames.
+/// Commands of clients are answered between whole packets (section 7), or passed to the server of a reader. Where the packets of a frame are sent one
+/// by one, that can be in the middle of a frame. Everything that clients send is read. Closing a socket with unread bytes would reset the connection
+/// and discard the client's last frames.
 /// </remarks>
-internal sealed class ClientSession : NetworkRecipient
+internal sealed partial class ClientSession : NetworkRecipient
 {
     // Limits the data that the system buffers for a client that does not read. The default is megabytes, which hold a minute of old frames.
     public const int SendBufferSize = 256 * 1024;
@@ -33,7 +33,11 @@ internal sealed class ClientSession : NetworkRecipient
     private readonly bool _isPacketwise;
     private readonly TimeSpan _closeTimeout;
     private readonly DataCommandReplies? _replies;
-    private readonly Queue<Mark> _marks = new();
+    private readonly Queue<Milestone> _marks = new();
+
+    // Whether the thread that publishes may send while this session's thread waits for a frame.
+    private readonly bool _isDirect;
+
     private byte[] _buffer;
     private long _sent;
     private long _motionSent;
@@ -57,6 +61,10 @@ internal sealed class ClientSession : NetworkRecipient
         _isPacketwise = stream.IsPacketwise && _fragment is null;
         _closeTimeout = options.CloseTimeout;
         _buffer = new byte[ReadSize + (_fragment ?? 0)];
+        _isDirect = stream.IsDirect && _fragment is null && transport.TryStopWaiting();
+        _rest = _isDirect ? new byte[Plan.MaxFrameSize] : [];
+        if (_isDirect)
+            feed.Attach(this);
     }
 
     public override void Dispose() => _transport.Dispose();
@@ -76,10 +84,12 @@ internal sealed class ClientSession : NetworkRecipient
         do
         {
             FrameBatch batch = ReadFeed(_buffer.AsSpan(kept, ReadSize));
+            if (!WriteRest())
+                return false;
+
             isOver = batch.Bytes == 0 && Feed.HasEnded;
             int filled = AppendReplies(kept + batch.Bytes, out int replies);
-            int motion = Plan.CountMotion(batch);
-            _marks.Enqueue(new Mark(_sent + filled, motion, Plan.HasCalculation ? batch.Packets - motion : 0, replies));
+            Mark(_sent + filled, batch, replies);
             kept = isOver || Feed.IsLive || _fragment is null ? 0 : filled % _fragment.Value;
             if (!Write(filled - kept, batch))
                 return false;
@@ -109,19 +119,33 @@ internal sealed class ClientSession : NetworkRecipient
             if (offset == end)
                 end = offset + (_isPacketwise && packets < batch.Packets ? NextPacket(offset, batch, packets++) : Math.Min(count - offset, _fragment ?? MaxWrite));
 
-            SocketError error = _transport.TrySend(_buffer, offset, end - offset, out int sent);
-            if (error is SocketError.TimedOut or SocketError.WouldBlock)
-                _transport.DropUnsent();
-            if (error != SocketError.Success)
+            if (!TrySend(_buffer, offset, end - offset, out int sent))
                 return false;
 
             offset += sent;
-            _sent += sent;
-            CountBytes(sent);
         }
 
         CountWritten();
         return true;
+    }
+
+    // Waits until at least a part is sent. Returns false if the connection must be closed.
+    private bool TrySend(byte[] bytes, int offset, int count, out int sent)
+    {
+        SocketError error = _transport.TrySend(bytes, offset, count, out sent);
+        if (error is SocketError.TimedOut or SocketError.WouldBlock)
+            _transport.DropUnsent();
+        if (error != SocketError.Success)
+            return false;
+
+        CountSent(sent);
+        return true;
+    }
+
+    private void CountSent(int bytes)
+    {
+        _sent += bytes;
+        CountBytes(bytes);
     }
 
     // A client that is only a little behind still gets packets one by one, because two packets in one write arrive together.
@@ -133,9 +157,16 @@ internal sealed class ClientSession : NetworkRecipient
         return Plan.MeasurePacket(_buffer.AsSpan(offset, batch.Bytes - offset), Plan.IsMotion(batch.First + index));
     }
 
+    // Notes what has been sent when the stream reaches a position.
+    private void Mark(long end, in FrameBatch batch, int replies = 0)
+    {
+        int motion = Plan.CountMotion(batch);
+        _marks.Enqueue(new Milestone(end, motion, Plan.HasCalculation ? batch.Packets - motion : 0, replies));
+    }
+
     private void CountWritten()
     {
-        while (_marks.TryPeek(out Mark mark) && mark.End <= _sent)
+        while (_marks.TryPeek(out Milestone mark) && mark.End <= _sent)
         {
             _marks.Dequeue();
             _motionSent += mark.Motion;
@@ -207,7 +238,7 @@ internal sealed class ClientSession : NetworkRecipient
     {
         if (Stream.Forwarder is { } forwarder)
         {
-            forwarder.Add(bytes);
+            forwarder.Add(this, request, bytes);
             return true;
         }
 
@@ -218,6 +249,6 @@ internal sealed class ClientSession : NetworkRecipient
         return hasReplies;
     }
 
-    // The packets and replies put into the stream between the previous mark and the position End.
-    private readonly record struct Mark(long End, int Motion, int Calculation, int Replies);
+    // The packets and replies put into the stream between the previous milestone and the position End.
+    private readonly record struct Milestone(long End, int Motion, int Calculation, int Replies);
 }

@@ -17,6 +17,15 @@ internal abstract class ClientTransport : IDisposable
     /// <exception cref="ObjectDisposedException">The connection was ended on this side.</exception>
     public abstract SocketError TrySend(byte[] buffer, int offset, int count, out int sent);
 
+    /// <summary>Prepares <see cref="TrySendNow"/>. From then on, only <see cref="TrySend"/> waits.</summary>
+    /// <returns>False if every send may wait.</returns>
+    public virtual bool TryStopWaiting() => false;
+
+    /// <summary>Hands over as many bytes as there is room for. Only after <see cref="TryStopWaiting"/>, and not during <see cref="TrySend"/>.</summary>
+    /// <returns>Success, or WouldBlock if there is no room, or another error if the connection has ended.</returns>
+    /// <exception cref="ObjectDisposedException">The connection was ended on this side.</exception>
+    public virtual SocketError TrySendNow(byte[] buffer, int offset, int count, out int sent) => throw new NotSupportedException();
+
     /// <summary>Waits for bytes of the client.</summary>
     /// <returns>Their number; 0 when the client has closed its side.</returns>
     /// <exception cref="SocketException">The connection has failed.</exception>

@@ -1,5 +1,6 @@
 using System.Net;
 using System.Net.Sockets;
+using NeuronMocap.Server.Broadcasting;
 using NeuronMocap.Transport;
 
 namespace NeuronMocap.Server.Clients;
@@ -8,18 +9,63 @@ namespace NeuronMocap.Server.Clients;
 /// <param name="client">The connection of the client, which the session owns.</param>
 /// <param name="options">Where the server is.</param>
 /// <param name="listener">Where the relay listens.</param>
-internal sealed class CommandRelaySession(Socket client, CommandRelayOptions options, IPEndPoint listener) : IDisposable
+/// <param name="getTimestamp">Returns the time in ticks of <see cref="System.Diagnostics.Stopwatch"/>.</param>
+/// <param name="ended">Called once at the end, on a pool thread.</param>
+/// <param name="report">Receives the reason if the server cannot be reached.</param>
+internal sealed class CommandRelaySession(
+    Socket client, CommandRelayOptions options, IPEndPoint listener, Func<long> getTimestamp, Action<ICommandSession> ended, FaultReport report) : ICommandSession
 {
     // Real requests have a few bytes, and most replies fit.
     private const int BufferSize = 16 * 1024;
 
     private readonly Socket _server = new(SocketType.Stream, ProtocolType.Tcp);
+    private volatile bool _isDisposed;
 
-    /// <summary>Passes bytes until one side ends the connection.</summary>
-    /// <exception cref="BroadcasterException">The server cannot be reached.</exception>
-    public async Task RunAsync()
+    public IdleClock Idle { get; } = new(options.IdleTimeout, getTimestamp);
+
+    public bool IsLeft => _isDisposed;
+
+    // Uses pool threads, and only while bytes pass.
+    public Worker? Start()
     {
-        await ConnectAsync().ConfigureAwait(false);
+        _ = Task.Run(RunAsync);
+        return null;
+    }
+
+    public void Dispose()
+    {
+        _isDisposed = true;
+        client.Dispose();
+        _server.Dispose();
+    }
+
+    private async Task RunAsync()
+    {
+        Exception? failure = null;
+        try
+        {
+            await ConnectAsync().ConfigureAwait(false);
+            await PassAsync().ConfigureAwait(false);
+        }
+        catch (Exception exception) when (!_isDisposed)
+        {
+            failure = exception;
+        }
+        catch (Exception)
+        {
+            // The relay was stopped, or another client took the place.
+        }
+
+        Dispose();
+        ended(this);
+        if (failure is not null)
+            report.Report(failure);
+    }
+
+    // Passes bytes until one side ends the connection, or until none have passed for long.
+    private async Task PassAsync()
+    {
+        using var over = new CancellationTokenSource();
         try
         {
             foreach (Socket socket in (Socket[])[client, _server])
@@ -29,21 +75,43 @@ internal sealed class CommandRelaySession(Socket client, CommandRelayOptions opt
             }
 
             // A client that has sent its last request still gets its replies.
-            Task requests = PassAsync(client, _server);
-            Task replies = PassAsync(_server, client);
+            Idle.Restart();
+            _ = EndWhenIdleAsync(over.Token);
+            Task requests = PassAsync(client, _server, OnRequest);
+            Task replies = PassAsync(_server, client, Idle.Restart);
             await (await Task.WhenAny(requests, replies).ConfigureAwait(false)).ConfigureAwait(false);
             await replies.ConfigureAwait(false);
         }
         catch (Exception exception) when (SocketErrors.IsExpected(exception))
         {
-            // One side reset its connection, or the relay was stopped. Both are ordinary ends.
+            // One side reset its connection, or it was closed here. All are ordinary ends.
+        }
+        finally
+        {
+            over.Cancel();
         }
     }
 
-    public void Dispose()
+    // Bytes are not interpreted, so any of them count.
+    private void OnRequest()
     {
-        client.Dispose();
-        _server.Dispose();
+        Idle.Stop();
+        Idle.Restart();
+    }
+
+    private async Task EndWhenIdleAsync(CancellationToken over)
+    {
+        try
+        {
+            while (Idle.GetRest() is { } rest)
+                await Task.Delay(rest == 0 ? Timeout.Infinite : rest, over).ConfigureAwait(false);
+
+            Dispose();
+        }
+        catch (OperationCanceledException)
+        {
+            // The session has ended.
+        }
     }
 
     private async Task ConnectAsync()
@@ -74,12 +142,13 @@ internal sealed class CommandRelaySession(Socket client, CommandRelayOptions opt
     private bool IsListening(IPAddress address) => listener.Address.Equals(IPAddress.Any) || listener.Address.Equals(IPAddress.IPv6Any)
         || listener.Address.MapToIPv6().Equals(address.MapToIPv6());
 
-    private static async Task PassAsync(Socket from, Socket to)
+    private static async Task PassAsync(Socket from, Socket to, Action passed)
     {
         byte[] buffer = new byte[BufferSize];
         int count;
         while ((count = await from.ReceiveAsync(new ArraySegment<byte>(buffer), SocketFlags.None).ConfigureAwait(false)) > 0)
         {
+            passed();
             for (int sent = 0; sent < count;)
                 sent += await to.SendAsync(new ArraySegment<byte>(buffer, sent, count - sent), SocketFlags.None).ConfigureAwait(false);
         }

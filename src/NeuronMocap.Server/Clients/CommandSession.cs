@@ -8,7 +8,7 @@ using NeuronMocap.Transport;
 namespace NeuronMocap.Server.Clients;
 
 // One client of the command channel. Its own thread reads requests and answers them one after the other.
-internal sealed class CommandSession : IDisposable
+internal sealed class CommandSession : ICommandSession
 {
     // Real requests have at most four bytes of parameters.
     private const int MaxParameters = 1024;
@@ -21,7 +21,8 @@ internal sealed class CommandSession : IDisposable
     private readonly CommandReplyQuirks _quirks;
     private readonly IdleClock _idle;
     private readonly ManualResetEventSlim _stop;
-    private readonly Action<CommandSession> _ended;
+    private readonly Action<ICommandSession> _ended;
+    private readonly Worker _worker;
     private readonly CommandPacketReader _reader = new(MaxParameters);
     private bool _isAsking;
 
@@ -32,7 +33,7 @@ internal sealed class CommandSession : IDisposable
         CommandServerOptions options,
         Func<long> getTimestamp,
         ManualResetEventSlim stop,
-        Action<CommandSession> ended,
+        Action<ICommandSession> ended,
         FaultReport report)
     {
         _transport = transport;
@@ -41,16 +42,20 @@ internal sealed class CommandSession : IDisposable
         _idle = new IdleClock(options.IdleTimeout, getTimestamp);
         _stop = stop;
         _ended = ended;
-        Worker = new Worker("NeuronMocap commands", Run, report);
+        _worker = new Worker("NeuronMocap commands", Run, report);
     }
-
-    public Worker Worker { get; }
 
     // Thread-safe.
     public IdleClock Idle => _idle;
 
     // Thread-safe. The client has closed its side and no answer is left to send, so the session is about to end.
     public bool IsLeft => _idle.Elapsed is not null && _transport.IsLeft;
+
+    public Worker Start()
+    {
+        _worker.Start();
+        return _worker;
+    }
 
     public void Dispose() => _transport.Dispose();
 

@@ -1,9 +1,13 @@
+using NeuronMocap.Protocol;
 using NeuronMocap.Server.Broadcasting;
 
 namespace NeuronMocap.Server.Clients;
 
 /// <summary>Passes the requests of clients to the server that a reader is connected to, one after another on its own thread. Thread-safe.</summary>
-/// <remarks>A server that does not read makes only this thread wait. The replies arrive in the stream of the reader.</remarks>
+/// <remarks>
+/// A server that does not read makes only this thread wait. The replies arrive in the stream of the reader. A server forgets registrations with the
+/// connection, so the forwarder repeats them on the next one.
+/// </remarks>
 internal sealed class RequestForwarder
 {
     // As many as a single client of a server may have waiting.
@@ -11,7 +15,9 @@ internal sealed class RequestForwarder
 
     private readonly object _lock = new();
     private readonly NeuronReader _reader;
-    private readonly Queue<byte[]> _waiting = new();
+    private readonly Queue<Entry> _waiting = new();
+    private readonly Queue<Entry> _renewals = new();
+    private readonly Registrations _registrations = new();
     private long _dropped;
     private bool _isStopped;
 
@@ -26,17 +32,43 @@ internal sealed class RequestForwarder
     // Requests that exceeded the capacity, or that no connection could carry.
     public long Dropped => Interlocked.Read(ref _dropped);
 
-    public void Add(ReadOnlySpan<byte> request)
+    public void Add(object client, in DataCommandHeader header, ReadOnlySpan<byte> request)
     {
         lock (_lock)
         {
+            // Another client wants the changes, and the server would not tell the clients apart.
+            if (header.CommandId == DataCommandId.UnregisterEvent && !_registrations.Remove(header.Parameter, client))
+                return;
+
             if (_isStopped || _waiting.Count == Capacity)
             {
                 Interlocked.Increment(ref _dropped);
                 return;
             }
 
-            _waiting.Enqueue(request.ToArray());
+            byte[] bytes = request.ToArray();
+            bool isKept = header.CommandId == DataCommandId.RegisterEvent && _registrations.TryAdd(header.Parameter, client, bytes);
+            _waiting.Enqueue(new Entry(bytes, isKept));
+            Monitor.Pulse(_lock);
+        }
+    }
+
+    // Called when a client is gone.
+    public void Forget(object client)
+    {
+        lock (_lock)
+            _registrations.Forget(client);
+    }
+
+    // Called when the reader has a new connection. Registrations come before the requests that wait.
+    public void Renew()
+    {
+        lock (_lock)
+        {
+            _renewals.Clear();
+            foreach (byte[] request in _registrations.Requests)
+                _renewals.Enqueue(new Entry(request, IsKept: true));
+
             Monitor.Pulse(_lock);
         }
     }
@@ -54,19 +86,22 @@ internal sealed class RequestForwarder
     {
         while (Take() is { } request)
         {
-            if (!_reader.TrySend(request))
+            if (!_reader.TrySend(request.Bytes) && !request.IsKept)
                 Interlocked.Increment(ref _dropped);
         }
     }
 
-    private byte[]? Take()
+    private Entry? Take()
     {
         lock (_lock)
         {
-            while (_waiting.Count == 0 && !_isStopped)
+            while (_waiting.Count == 0 && _renewals.Count == 0 && !_isStopped)
                 Monitor.Wait(_lock);
 
-            return _isStopped ? null : _waiting.Dequeue();
+            return _isStopped ? null : (_renewals.Count > 0 ? _renewals : _waiting).Dequeue();
         }
     }
+
+    // IsKept: a registration, which the next connection gets if this one cannot carry it.
+    private sealed record Entry(byte[] Bytes, bool IsKept);
 }

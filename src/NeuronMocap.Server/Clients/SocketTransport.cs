@@ -8,6 +8,8 @@ namespace NeuronMocap.Server.Clients;
 internal sealed class SocketTransport : ClientTransport
 {
     private readonly Socket _socket;
+    private readonly int _sendTimeout;
+    private bool _isDirect;
 
     /// <summary>Takes over a socket.</summary>
     /// <param name="socket">The socket. It is not disposed if this throws.</param>
@@ -23,7 +25,8 @@ internal sealed class SocketTransport : ClientTransport
             socket.SendBufferSize = size;
 
         // A client that vanished reads nothing more. The wait for buffer space ends only when about a third of the buffer is free.
-        socket.SendTimeout = (int)sendTimeout.TotalMilliseconds;
+        _sendTimeout = (int)sendTimeout.TotalMilliseconds;
+        socket.SendTimeout = _sendTimeout;
         // While nothing is sent, only a keep-alive probe can detect that the client is gone.
         TcpKeepAlive.Enable(socket);
     }
@@ -45,7 +48,25 @@ internal sealed class SocketTransport : ClientTransport
         }
     }
 
+    public override bool TryStopWaiting()
+    {
+        _socket.Blocking = false;
+        return _isDirect = true;
+    }
+
     public override SocketError TrySend(byte[] buffer, int offset, int count, out int sent)
+    {
+        SocketError error;
+        do
+        {
+            sent = _socket.Send(buffer, offset, count, SocketFlags.None, out error);
+        }
+        while (error == SocketError.WouldBlock && _isDirect && WaitForRoom());
+
+        return error;
+    }
+
+    public override SocketError TrySendNow(byte[] buffer, int offset, int count, out int sent)
     {
         sent = _socket.Send(buffer, offset, count, SocketFlags.None, out SocketError error);
         return error;
@@ -79,4 +100,6 @@ internal sealed class SocketTransport : ClientTransport
 
         _socket.Dispose();
     }
+
+    private bool WaitForRoom() => _socket.Poll(_sendTimeout < 0 ? Timeout.Infinite : _sendTimeout * 1000, SelectMode.SelectWrite);
 }

@@ -9,10 +9,13 @@ namespace NeuronMocap.Server.Clients;
 /// A packet or a line of text larger than the fragment size is cut, as Axis Neuron on macOS does: 1024 bytes, then the rest (protocol.md section
 /// 4.2).
 /// </remarks>
-internal sealed class UdpRecipient : NetworkRecipient
+internal sealed class UdpRecipient : NetworkRecipient, IDirectRecipient
 {
     // Maximum size of a datagram over IPv4.
     private const int MaxDatagram = 65_507;
+
+    // Microseconds. A socket is closed no later than this after a stop.
+    private const int WaitForRoom = 50_000;
 
     private readonly Socket _socket;
     private readonly int _fragment;
@@ -33,7 +36,14 @@ internal sealed class UdpRecipient : NetworkRecipient
         _socket = socket;
         _fragment = Math.Min(fragment ?? MaxDatagram, MaxDatagram);
         _buffer = new byte[ReadSize];
+        if (!stream.IsDirect)
+            return;
+
+        socket.Blocking = false;
+        feed.Attach(this);
     }
+
+    bool IDirectRecipient.IsReady => true;
 
     /// <summary>Opens a socket that sends to a destination.</summary>
     /// <exception cref="SocketException">No route leads to the destination.</exception>
@@ -56,30 +66,55 @@ internal sealed class UdpRecipient : NetworkRecipient
 
     public override void Dispose() => _socket.Dispose();
 
+    // Runs on the publishing thread while this recipient's thread waits in ReadFeed. Each unit is a packet.
+    int IDirectRecipient.Take(UnitBatch units)
+    {
+        int taken = 0;
+        try
+        {
+            while (taken < units.Count && TrySendPacket(units.Bytes, units.StartOf(taken), units.EndOf(taken), Plan.IsMotion(0), mayWait: false))
+                taken++;
+        }
+        catch (ObjectDisposedException)
+        {
+            // The broadcaster has stopped. Its thread ends the recipient.
+        }
+
+        return taken;
+    }
+
     protected override bool SendAll()
     {
         FrameBatch batch;
-        while ((batch = ReadFeed(_buffer)).Bytes > 0)
+        while ((batch = ReadFeed(_buffer)).Bytes > 0 || !Feed.HasEnded)
         {
             int offset = 0;
             for (int i = 0; i < batch.Packets; i++)
-                offset = SendPacket(offset, batch.Bytes, Plan.IsMotion(batch.First + i));
+            {
+                bool isMotion = Plan.IsMotion(batch.First + i);
+                int end = offset + Plan.MeasurePacket(_buffer.AsSpan(offset, batch.Bytes - offset), isMotion);
+                TrySendPacket(_buffer, offset, end, isMotion, mayWait: true);
+                offset = end;
+            }
         }
 
         return Feed.IsAtEnd;
     }
 
-    // Returns where the next packet starts.
-    private int SendPacket(int offset, int filled, bool isMotion)
+    // Returns false if nothing was sent, because the system has no room and mayWait is false.
+    private bool TrySendPacket(byte[] bytes, int start, int end, bool isMotion, bool mayWait)
     {
-        int end = offset + Plan.MeasurePacket(_buffer.AsSpan(offset, filled - offset), isMotion);
-        while (offset < end)
+        for (int offset = start; offset < end;)
         {
             int length = Math.Min(end - offset, _fragment);
-            if (!TrySend(offset, length))
+            SocketError error = Send(bytes, offset, length, mayWait);
+            if (error == SocketError.WouldBlock && offset == start && !mayWait)
+                return false;
+
+            if (error != SocketError.Success)
             {
                 CountLostPacket();
-                return end;
+                return true;
             }
 
             offset += length;
@@ -92,17 +127,21 @@ internal sealed class UdpRecipient : NetworkRecipient
             _calculationPackets++;
 
         SetFrames(_motionPackets, _calculationPackets);
-
-        return end;
+        return true;
     }
 
     // The error "refused" reports that nobody received an earlier datagram, and it keeps this datagram from being sent. The second attempt sends it.
-    private bool TrySend(int offset, int length)
+    private SocketError Send(byte[] bytes, int offset, int length, bool mayWait)
     {
-        _socket.Send(_buffer, offset, length, SocketFlags.None, out SocketError error);
-        if (error is SocketError.ConnectionRefused or SocketError.ConnectionReset)
-            _socket.Send(_buffer, offset, length, SocketFlags.None, out error);
+        while (true)
+        {
+            _socket.Send(bytes, offset, length, SocketFlags.None, out SocketError error);
+            if (error is SocketError.ConnectionRefused or SocketError.ConnectionReset)
+                _socket.Send(bytes, offset, length, SocketFlags.None, out error);
+            if (error != SocketError.WouldBlock || !mayWait || _socket.Blocking)
+                return error;
 
-        return error == SocketError.Success;
+            _socket.Poll(WaitForRoom, SelectMode.SelectWrite);
+        }
     }
 }

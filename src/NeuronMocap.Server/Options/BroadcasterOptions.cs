@@ -173,7 +173,8 @@ public sealed partial class BroadcasterOptions
     /// dropped and counted.
     /// <para>
     /// With a <see cref="Reader"/>, the commands are passed to its server, on the connection of the reader. The replies are part of its stream, so all
-    /// clients receive them. A registration ends with the connection of the reader.
+    /// clients receive them. When the reader connects again, the registrations of all clients are repeated. The server gets the end of a registration when no
+    /// other client has registered for the same value.
     /// </para>
     /// </remarks>
     public bool AnswerDataCommands { get; set; } = true;

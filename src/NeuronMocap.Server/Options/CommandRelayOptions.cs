@@ -21,8 +21,19 @@ public sealed class CommandRelayOptions
     /// <remarks>The default is loopback because every client that connects can zero out the avatars.</remarks>
     public IPAddress BindAddress { get; set; } = IPAddress.Loopback;
 
-    /// <summary>Maximum number of simultaneous clients, 1 to 1024. Further connections are closed at once. Default: 32.</summary>
+    /// <summary>Maximum number of simultaneous clients, 1 to 1024. Default: 32.</summary>
+    /// <remarks>
+    /// When the relay is full, a new client replaces the client whose connection has passed no bytes for the longest time. Clients that never sent any are
+    /// replaced first. A client cannot be replaced for 2 seconds after it connected and after its last bytes. If no client can be replaced, the new
+    /// connection is closed.
+    /// </remarks>
     public int MaxClients { get; set; } = 32;
+
+    /// <summary>
+    /// How long a connection may pass no bytes before it is closed: 1 second to 1 day, or <see cref="Timeout.InfiniteTimeSpan"/>. Default: 1 hour.
+    /// </summary>
+    /// <remarks>Bytes in both directions count. The default is long because clients connect when they start and may send one request in a session.</remarks>
+    public TimeSpan IdleTimeout { get; set; } = TimeSpan.FromHours(1);
 
     /// <summary>How long a connection to the server may take to be established, 0.1 seconds to 10 minutes. Default: 5 seconds.</summary>
     public TimeSpan ConnectTimeout { get; set; } = TimeSpan.FromSeconds(5);
@@ -39,6 +50,11 @@ public sealed class CommandRelayOptions
             nameof(ConnectTimeout),
             "must be 0.1 seconds to 10 minutes",
             ConnectTimeout);
+        Require(
+            IdleTimeout == Timeout.InfiniteTimeSpan || (IdleTimeout >= TimeSpan.FromSeconds(1) && IdleTimeout <= TimeSpan.FromDays(1)),
+            nameof(IdleTimeout),
+            "must be 1 second to 1 day, or infinite",
+            IdleTimeout);
         return (CommandRelayOptions)MemberwiseClone();
     }
 

@@ -7,7 +7,7 @@ namespace NeuronMocap.Tool.Output;
 
 /// <summary>Writes the lines of --json, which docs/reference/json.md describes.</summary>
 /// <remarks>As the base class: one buffer for all lines, and not thread-safe.</remarks>
-internal sealed class JsonLines : FrameLines
+internal sealed partial class JsonLines : FrameLines
 {
     private readonly JsonClock _clock;
 
@@ -61,20 +61,7 @@ internal sealed class JsonLines : FrameLines
 
     public ReadOnlySpan<byte> Summary(ReaderStatistics statistics)
     {
-        Begin("summary"u8);
-        Json.WriteNumber("frames"u8, statistics.MotionFrames);
-        Json.WriteNumber("calculationFrames"u8, statistics.CalculationFrames);
-        Json.WriteNumber("lost"u8, statistics.Lost);
-        Json.WriteNumber("dropped"u8, statistics.Dropped);
-        Json.WriteNumber("skippedBytes"u8, statistics.BytesSkipped);
-        Json.WriteNumber("seconds"u8, statistics.Duration.TotalSeconds);
-        Json.WriteNumber("gaps"u8, statistics.Gaps);
-        Json.WriteNumber("restarts"u8, statistics.Restarts);
-        Json.WriteNumber("reconnects"u8, statistics.Reconnects);
-        Json.WriteNumber("studioCalculationFrames"u8, statistics.StudioCalculationFrames);
-        Json.WriteNumber("refusedDatagrams"u8, statistics.RefusedDatagrams);
-        Json.WriteNumber("calculationReconnects"u8, statistics.CalculationReconnects);
-        WriteTime(Stopwatch.GetTimestamp());
+        BeginSummary(statistics);
         return End();
     }
 
@@ -110,6 +97,24 @@ internal sealed class JsonLines : FrameLines
         Json.WriteNumber("seconds"u8, diagnosis.Elapsed.TotalSeconds);
         WriteTime(Stopwatch.GetTimestamp());
         return End();
+    }
+
+    private void BeginSummary(ReaderStatistics statistics)
+    {
+        Begin("summary"u8);
+        Json.WriteNumber("frames"u8, statistics.MotionFrames);
+        Json.WriteNumber("calculationFrames"u8, statistics.CalculationFrames);
+        Json.WriteNumber("lost"u8, statistics.Lost);
+        Json.WriteNumber("dropped"u8, statistics.Dropped);
+        Json.WriteNumber("skippedBytes"u8, statistics.BytesSkipped);
+        Json.WriteNumber("seconds"u8, statistics.Duration.TotalSeconds);
+        Json.WriteNumber("gaps"u8, statistics.Gaps);
+        Json.WriteNumber("restarts"u8, statistics.Restarts);
+        Json.WriteNumber("reconnects"u8, statistics.Reconnects);
+        Json.WriteNumber("studioCalculationFrames"u8, statistics.StudioCalculationFrames);
+        Json.WriteNumber("refusedDatagrams"u8, statistics.RefusedDatagrams);
+        Json.WriteNumber("calculationReconnects"u8, statistics.CalculationReconnects);
+        WriteTime(Stopwatch.GetTimestamp());
     }
 
     private void WriteAvatar(DiagnosedAvatar avatar)

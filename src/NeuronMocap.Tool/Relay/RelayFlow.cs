@@ -13,8 +13,18 @@ namespace NeuronMocap.Tool.Relay;
 /// <summary>What flows where, once a second: as a table for a terminal, or as a plain line.</summary>
 internal sealed class RelayFlow(NeuronReader reader, string source, IReadOnlyList<Outlet> outlets)
 {
+    private const string Failed = "failed";
+    private const string Dropping = "dropping";
+    private const string Waiting = "waiting";
+
     private readonly RateMeter _received = new();
     private readonly Flow[] _flows = [.. outlets.Select(static outlet => new Flow(outlet))];
+
+    /// <summary>Frames received per second, lately.</summary>
+    public double ReceivedPerSecond => _received.PerSecond;
+
+    /// <summary>The figures of all destinations.</summary>
+    public IEnumerable<FlowFigures> Figures => _flows.Select(static flow => flow.ToFigures());
 
     /// <summary>Takes the figures of this moment.</summary>
     public void Update()
@@ -100,13 +110,28 @@ internal sealed class RelayFlow(NeuronReader reader, string source, IReadOnlyLis
 
         public bool IsHealthy => Figures.Failure is null && _dropped.PerSecond == 0;
 
-        public string State => this switch
+        public string State => Code switch
         {
-            { Figures.Failure: { } reason } => $"failed: {reason}",
-            { IsHealthy: false } => "dropping: slow or not reachable",
-            { Figures.Clients: 0 } => "waiting for clients",
+            Failed => $"failed: {Figures.Failure}",
+            Dropping => "dropping: slow or not reachable",
+            Waiting => "waiting for clients",
+            var code => code,
+        };
+
+        private string Code => this switch
+        {
+            { Figures.Failure: not null } => Failed,
+            { IsHealthy: false } => Dropping,
+            { Figures.Clients: 0 } => Waiting,
             { PerSecond: 0 } => "idle",
             _ => "ok",
+        };
+
+        public FlowFigures ToFigures() => new(outlet.Name, outlet.Unit, Code, PerSecond, Figures.Sent, Figures.Dropped)
+        {
+            Clients = Figures.Clients,
+            Bytes = Figures.Bytes,
+            Failure = Figures.Failure,
         };
 
         public void Update(long now)

@@ -1,4 +1,5 @@
 using NeuronMocap.Tool.Arguments;
+using NeuronMocap.Tool.Output;
 using NeuronMocap.Tool.Relay.Destinations;
 using NeuronMocap.Tool.Watch.Playback;
 
@@ -15,6 +16,9 @@ internal sealed record RelayOptions(Source Source, ConnectionOptions Connection,
 
     /// <summary>Where to listen for clients of the command channel; null for none.</summary>
     public TcpDestination? Commands { get; init; }
+
+    /// <summary>The format of standard output.</summary>
+    public OutputKind Output { get; init; }
 
     /// <summary>Whether existing files are replaced.</summary>
     public bool Overwrite { get; init; }

@@ -1,4 +1,5 @@
-using NeuronMocap.Server;
+using System.Net;
+using System.Text;
 using NeuronMocap.Tool.Output;
 using NeuronMocap.Tool.Relay.Destinations;
 using NeuronMocap.Tool.Terminal;
@@ -7,37 +8,43 @@ using Spectre.Console;
 namespace NeuronMocap.Tool.Relay;
 
 /// <summary>The standard output of relay: where packets go, then a live table or a plain line a second, and at the end a summary.</summary>
-internal sealed class RelayReport(NeuronReader reader, string source, IReadOnlyList<Outlet> outlets, CommandRelay? commands, StandardStreams streams)
+internal sealed class RelayReport(NeuronReader reader, string source, IReadOnlyList<Outlet> outlets, IPEndPoint? commands, StandardStreams streams)
+    : RelayOutput
 {
     private const int WidestText = 160;
 
-    private static readonly TimeSpan Interval = TimeSpan.FromSeconds(1);
+    // A program that still reads takes the rest at once.
+    private static readonly TimeSpan FinishTimeout = TimeSpan.FromSeconds(2);
+
+    // Null for a terminal.
+    private readonly LineQueue? _queue = streams.IsTerminal ? null : new LineQueue(streams.Output);
+
+    // The table shows the failures.
+    private readonly bool _isLive = streams.IsTerminal && Screen.IsSupported;
 
     private readonly TextPage _page = new(streams, WidestText);
     private readonly RelayFlow _flow = new(reader, source, outlets);
     private bool _isClosed;
+    private IOException? _failure;
 
-    /// <summary>Whether the table shows the failures.</summary>
-    public bool IsLive { get; } = streams.IsTerminal && Screen.IsSupported;
+    public override IOException? Failure => _queue is null ? _failure : _queue.Failure;
 
-    /// <summary>Why the output could not be written. Null if it was written, or if its reader closed it.</summary>
-    public IOException? Failure { get; private set; }
-
-    /// <summary>Writes where packets go. Scripts wait for these lines.</summary>
-    public void Announce()
+    // Scripts wait for these lines.
+    public override void Announce()
     {
         WriteLine($"Relaying {source}");
         foreach (Outlet outlet in outlets)
             WriteLine(outlet.Announcement);
-        if (commands?.LocalEndPoint is { } endPoint)
-            WriteLine($"Commands on {endPoint}");
+        if (commands is not null)
+            WriteLine($"Commands on {commands}");
     }
 
-    /// <summary>Reports until it is stopped. A closed output does not end the relay.</summary>
-    public async Task RunAsync(CancellationToken cancellationToken)
+    public override bool OnFileFailed(FileFailure failure) => _isLive;
+
+    public override async Task RunAsync(CancellationToken cancellationToken)
     {
         _flow.Update();
-        if (IsLive)
+        if (_isLive)
         {
             await _page.Console.Live(_flow.ToTable()).AutoClear(enabled: true).StartAsync(async view =>
             {
@@ -57,22 +64,25 @@ internal sealed class RelayReport(NeuronReader reader, string source, IReadOnlyL
         }
     }
 
-    /// <summary>Writes what was received and what went where.</summary>
-    public void Summarize()
+    public override async Task FinishAsync()
     {
-        WriteLine(LineOutput.DescribeEnd(reader.GetStatistics()));
-        foreach (Outlet outlet in outlets)
-            WriteLine(RelayFlow.Summarize(outlet));
+        string[] lines = [LineOutput.DescribeEnd(reader.GetStatistics()), .. outlets.Select(RelayFlow.Summarize)];
+        if (_queue is null)
+            Array.ForEach(lines, WriteLine);
+        else
+            await _queue.FinishAsync([.. lines.SelectMany(Encode)], FinishTimeout);
     }
 
-    private static async Task<bool> WaitAsync(CancellationToken cancellationToken)
-    {
-        await Task.Delay(Interval, cancellationToken).ConfigureAwait(ConfigureAwaitOptions.SuppressThrowing);
-        return !cancellationToken.IsCancellationRequested;
-    }
+    private static byte[] Encode(string line) => Encoding.UTF8.GetBytes(TerminalText.Clean(line) + "\n");
 
     private void WriteLine(string line)
     {
+        if (_queue is not null)
+        {
+            _queue.Add(Encode(line));
+            return;
+        }
+
         if (_isClosed)
             return;
 
@@ -84,7 +94,7 @@ internal sealed class RelayReport(NeuronReader reader, string source, IReadOnlyL
         {
             _isClosed = true;
             if (!StandardStreams.IsBrokenPipe(exception))
-                Failure = exception;
+                _failure = exception;
         }
     }
 }

@@ -1,3 +1,4 @@
+using System.Net;
 using NeuronMocap.Protocol;
 using NeuronMocap.Server;
 using NeuronMocap.Tool.Arguments;
@@ -85,19 +86,20 @@ internal sealed class RelayRun(RelayOptions options, StandardStreams streams)
 
     private async Task<int> RunAsync(NeuronReader reader, IReadOnlyList<Outlet> outlets, CommandRelay? commands, CancellationToken cancellationToken)
     {
-        var report = new RelayReport(reader, options.Source.ToString(), outlets, commands, streams);
+        RelayOutput output = CreateOutput(reader, outlets, commands?.LocalEndPoint);
         reader.StatusChanged += _failure.OnStatus;
+        reader.StatusChanged += output.OnStatus;
         reader.EventReported += news =>
         {
-            if (!report.IsLive && FileFailure.Of(news) is { } failed)
+            if (FileFailure.Of(news) is { } failed && !output.OnFileFailed(failed))
                 streams.Complain(failed.Text);
         };
-        report.Announce();
+        output.Announce();
 
         using var durationSource = new CancellationTokenSource(options.Connection.Duration ?? Timeout.InfiniteTimeSpan);
         using var stopSource = CancellationTokenSource.CreateLinkedTokenSource(cancellationToken, durationSource.Token);
         reader.Start();
-        Task reporting = report.RunAsync(stopSource.Token);
+        Task reporting = output.RunAsync(stopSource.Token);
         await Task.WhenAny(reporting, reader.Completion);
         bool asked = cancellationToken.IsCancellationRequested;
         ConnectionStatus status = reader.Status;
@@ -106,14 +108,22 @@ internal sealed class RelayRun(RelayOptions options, StandardStreams streams)
         await stopSource.CancelAsync();
         await reporting;
         bool[] complete = await Task.WhenAll(outlets.Select(outlet => outlet.FinishAsync(streams)));
-        report.Summarize();
-        if (report.Failure is { } failure)
+        await output.FinishAsync();
+        if (output.Failure is { } failure)
             return await FailAsync(FileFault.OfStandardOutput(failure));
         if (complete.Contains(value: false))
             return ToolCommand.NothingReceived;
 
         ReaderStatistics statistics = reader.GetStatistics();
         return asked || TakeRecorder.CountFrames(statistics) > 0 ? ToolCommand.Done : await FailAsync(_failure.Describe(status, statistics));
+    }
+
+    private RelayOutput CreateOutput(NeuronReader reader, IReadOnlyList<Outlet> outlets, IPEndPoint? commands)
+    {
+        string source = options.Source.ToString();
+        return options.Output == OutputKind.Person
+            ? new RelayReport(reader, source, outlets, commands, streams)
+            : new RelayJson(reader, source, outlets, commands, streams.Output, isQuiet: options.Output == OutputKind.Quiet);
     }
 
     private CommandRelay? OpenCommands()

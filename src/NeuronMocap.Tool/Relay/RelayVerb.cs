@@ -3,6 +3,7 @@ using System.CommandLine.Parsing;
 using NeuronMocap.AspNetCore;
 using NeuronMocap.Protocol;
 using NeuronMocap.Tool.Arguments;
+using NeuronMocap.Tool.Output;
 using NeuronMocap.Tool.Relay.Destinations;
 using NeuronMocap.Tool.Terminal;
 using NeuronMocap.Tool.Watch.Playback;
@@ -25,6 +26,11 @@ internal sealed class RelayVerb : Verb
     private readonly PlaybackArguments _playback = new();
     private readonly Option<TimeSpan?> _duration = CommonOptions.Duration("End after this many seconds, as in 2.5; more than 0, at most 1000000.");
     private readonly Option<bool> _once = new("--once") { Description = "End when the connection to the source ends or cannot be made, instead of trying again." };
+    private readonly Option<bool> _json = CommonOptions.Json(
+        "Print what arrives and what goes to each destination once a second, and every event, as one JSON object a line. A slow reader of the output misses "
+            + "lines; packets never wait for it.");
+
+    private readonly Option<bool> _quiet = CommonOptions.Quiet();
     private readonly Option<bool> _overwrite = CommonOptions.Overwrite("files");
     private readonly Option<string?> _token = new("--token")
     {
@@ -56,6 +62,7 @@ internal sealed class RelayVerb : Verb
         Add(_source);
         Add(_to);
         _to.CompletionSources.Add(TcpDestination.Scheme + ":", WebSocketDestination.Scheme + ":", UdpDestination.Scheme);
+        AddOptions("Output", _json, _quiet);
         AddOptions("Relay", _commands, _token, _allowOrigin, _duration, _once, _overwrite);
         AddOptions("Connection", _connection.All);
         AddOptions("With a file as the source", _playback.All);
@@ -70,6 +77,7 @@ internal sealed class RelayVerb : Verb
         new("relay studio tcp://:7001 take.nmrec take.bvh", "to other computers, to a recording and to a BVH file"),
         new("relay 192.168.1.20 ws://:7100", "to pages in browsers on this computer"),
         new("relay take.nmrec tcp://127.0.0.1:7001 --loop", "a recording, for programs on this computer"),
+        new("relay studio tcp://:7001 --json", "figures for another program, once a second"),
         new("relay demo tcp://:7001", "a moving skeleton for every computer of the network"),
     ];
 
@@ -87,6 +95,7 @@ internal sealed class RelayVerb : Verb
         {
             Play = source.File is { } file ? _playback.Read(result, file) : null,
             Commands = result.GetValue(_commands),
+            Output = result.GetValue(_json) ? OutputKind.Json : result.GetValue(_quiet) ? OutputKind.Quiet : OutputKind.Person,
             Overwrite = result.GetValue(_overwrite),
         };
         return connection.FindFault() is { } fault
@@ -124,6 +133,7 @@ internal sealed class RelayVerb : Verb
 
     private void Reject(CommandResult result)
     {
+        RejectBoth(result, _json, _quiet);
         if (_source.Find(result) is not { } source)
             return;
 

@@ -44,7 +44,7 @@ internal sealed class StreamTap
 
     // Receive thread. The sender is the address of the datagram's sender, in the format of the system, or empty for TCP. Its number identifies this
     // address and port.
-    public void OnBytes(int number, byte[] sender, ReadOnlySpan<byte> bytes, long timestamp)
+    public void OnBytes(int number, byte[] sender, ArraySegment<byte> bytes, long timestamp)
     {
         if (_first._listeners is not { } listeners)
             return;
@@ -113,7 +113,7 @@ internal sealed class StreamTap
         }
     }
 
-    private void Notify(IStreamListener[] listeners, int number, byte[] sender, ReadOnlySpan<byte> bytes, long timestamp)
+    private void Notify(IStreamListener[] listeners, int number, byte[] sender, ArraySegment<byte> bytes, long timestamp)
     {
         if (_open is not { } open)
             return;
@@ -128,7 +128,8 @@ internal interface IStreamListener
 {
     void OnOpened(StreamConnection connection, bool wasOpen, long timestamp);
 
-    void OnBytes(StreamConnection connection, int number, byte[] sender, ReadOnlySpan<byte> bytes, long timestamp);
+    // The bytes belong to the caller, and are valid and unchanged during the call.
+    void OnBytes(StreamConnection connection, int number, byte[] sender, ArraySegment<byte> bytes, long timestamp);
 
     void OnClosed(StreamConnection connection, string reason, long timestamp);
 }

@@ -7,7 +7,7 @@ using NeuronMocap.Server;
 namespace NeuronMocap.Benchmarks.Macro;
 
 // A reader and a broadcaster between a sender in another process and a client in this one. One frame at a time, the floor is the same client without them.
-// At full speed, the floor is the broadcaster alone.
+// At full speed, the floor is the broadcaster alone. The least that any relay costs is a loop that receives and sends, without parsing: the bare relay.
 internal static class Relay
 {
     private const string Speed = "frames/s";
@@ -28,30 +28,57 @@ internal static class Relay
             });
             Way[] ways =
             [
-                new("relay", () => PacedAsync(rate, seconds, others: 0, floor)),
-                new("relay, 9 more clients, one never reads", () => PacedAsync(rate, seconds, others: 9, floor)),
+                new("bare relay", () => BarePacedAsync(rate, seconds, others: 0, floor)),
+                new("relay", () => PacedAsync(rate, seconds, others: 0, hasOwn: false, floor)),
+                new("bare relay, 9 more clients, all read", () => BarePacedAsync(rate, seconds, others: 9, floor)),
+                new("relay, 9 more clients, one never reads", () => PacedAsync(rate, seconds, others: 9, hasOwn: false, floor)),
+                new("relay, 9 more destinations, one never reads", () => PacedAsync(rate, seconds, others: 9, hasOwn: true, floor)),
             ];
-            report.Add(await Alternation.RunAsync($"{rate} Hz", runs, raw, ways, [new Aim(Latency.Added, 30)]));
+            report.Add(await Alternation.RunAsync($"{rate} Hz", runs, raw, ways, [new Aim(Latency.Added, 30, Way: "relay")]));
         }
 
         Way alone = new("broadcaster", () => BroadcastAsync(frames));
-        Way[] flood = [new("relay", () => FloodAsync(frames)), new("the relay's sender alone", () => SenderAsync(frames))];
+        Way[] flood = [new("relay", () => FloodAsync(frames)), new("bare relay", () => BareFloodAsync(frames)), new("the relay's sender alone", () => SenderAsync(frames))];
         report.Add(await Alternation.RunAsync("flat out", runs, alone, flood, [new Aim(Speed, 0.8, IsRatio: true, IsLowerBound: true, Way: "relay")]));
         return report.End();
     }
 
-    private static async Task<Figures> PacedAsync(double rate, double seconds, int others, double floor)
+    // hasOwn: whether each of the other clients has a destination of its own.
+    private static async Task<Figures> PacedAsync(double rate, double seconds, int others, bool hasOwn, double floor)
     {
         using Peer sender = await Latency.StartSenderAsync(rate, seconds);
         await using var reader = new NeuronReader(new NeuronReaderOptions { Port = sender.Port, Reconnect = { Enabled = false } });
-        using Broadcaster relay = Start(reader, queueCapacity: 256);
-        int port = relay.LocalEndPoint!.Port;
-        Socket[] clients = [.. Enumerable.Range(0, others).Select(_ => RawReceiver.Connect(port))];
-        Task draining = Task.WhenAll(clients.Skip(1).Select(socket => DrainAsync(socket)));
+        Broadcaster[] relays = [.. Enumerable.Range(0, hasOwn ? others + 1 : 1).Select(_ => Start(reader, queueCapacity: 256))];
+        int[] ports = [.. relays.Select(static relay => relay.LocalEndPoint!.Port)];
+        Figures figures = await MeasurePacedAsync(rate, seconds, others, floor, neverReads: 1, i => ports[i % ports.Length], async () =>
+        {
+            while (relays.Sum(static relay => relay.GetStatistics().Clients) < others + 1)
+                await Task.Delay(1);
+
+            reader.Start();
+        });
+        foreach (Broadcaster relay in relays)
+            relay.Dispose();
+
+        return figures;
+    }
+
+    private static async Task<Figures> BarePacedAsync(double rate, double seconds, int others, double floor)
+    {
+        using Peer sender = await Latency.StartSenderAsync(rate, seconds);
+        using var relay = new BareRelay();
+        return await MeasurePacedAsync(rate, seconds, others, floor, neverReads: 0, _ => relay.Port, () => relay.StartAsync(sender.Port, others + 1));
+    }
+
+    // The last client is the one that is measured.
+    private static async Task<Figures> MeasurePacedAsync(
+        double rate, double seconds, int others, double floor, int neverReads, Func<int, int> portOf, Func<Task> start)
+    {
+        Socket[] clients = [.. Enumerable.Range(0, others).Select(i => RawReceiver.Connect(portOf(i)))];
+        Task draining = Task.WhenAll(clients.Skip(neverReads).Select(socket => DrainAsync(socket)));
         Task<Figures> measuring = Task.Factory.StartNew(
-            () => Latency.Measure(port, rate, seconds), CancellationToken.None, TaskCreationOptions.LongRunning, TaskScheduler.Default);
-        await WaitForClientsAsync(relay, others + 1);
-        reader.Start();
+            () => Latency.Measure(portOf(others), rate, seconds), CancellationToken.None, TaskCreationOptions.LongRunning, TaskScheduler.Default);
+        await start();
         Figures figures = await measuring;
         await draining;
         foreach (Socket client in clients)
@@ -68,6 +95,15 @@ internal static class Relay
     {
         using Peer sender = await StartSenderAsync(frames);
         using Socket client = RawReceiver.Connect(sender.Port);
+        return await MeasureAsync(client, frames);
+    }
+
+    private static async Task<Figures> BareFloodAsync(int frames)
+    {
+        using Peer sender = await StartSenderAsync(frames);
+        using var relay = new BareRelay();
+        using Socket client = RawReceiver.Connect(relay.Port);
+        await relay.StartAsync(sender.Port, clients: 1);
         return await MeasureAsync(client, frames);
     }
 

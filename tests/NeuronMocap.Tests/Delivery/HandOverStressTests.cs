@@ -19,6 +19,10 @@ public sealed class HandOverStressTests
     // The number of packets that the consumer has taken.
     private int _taken;
 
+    private delegate void Publish(in ReceivedPacket packet);
+
+    private delegate bool TryTake(out ReceivedPacket packet);
+
     [Theory]
     [InlineData(1)]
     [InlineData(2)]
@@ -62,32 +66,7 @@ public sealed class HandOverStressTests
     public async Task A_ring_that_drops_its_oldest_never_overwrites_the_packet_that_is_read(int capacity)
     {
         var ring = new DroppingRing(capacity, slotSize: 16, firstIndex: int.MaxValue - 500);
-        int stored = 0;
-        int last = 0;
-        using (new Preemption())
-        {
-            Task producer = Produce((number, packet) =>
-            {
-                ring.Store(packet);
-                stored = number;
-            });
-            var random = new Random(2);
-            await Consume(producer, () =>
-            {
-                if (!ring.TryTake(out ReceivedPacket packet))
-                    return false;
-
-                int number = CheckedPacket.Check(packet);
-                Assert.True(number > last, $"{number} after {last}");
-                Preemption.Stumble(random);
-                Assert.Equal(number, CheckedPacket.Check(packet));
-                last = number;
-                _taken++;
-                return true;
-            });
-        }
-
-        Assert.Equal(stored, last);
+        int stored = await PassRisingAsync(ring.Store, ring.TryTake);
         Assert.Equal((stored, _taken, 0), (ring.Taken + ring.Dropped, ring.Taken, ring.Count));
     }
 
@@ -95,32 +74,7 @@ public sealed class HandOverStressTests
     public async Task The_newest_packet_is_never_torn_or_older()
     {
         var newest = new LatestPacket(slotSize: 16);
-        int published = 0;
-        int last = 0;
-        using (new Preemption())
-        {
-            Task producer = Produce((number, packet) =>
-            {
-                newest.Publish(packet);
-                published = number;
-            });
-            var random = new Random(2);
-            await Consume(producer, () =>
-            {
-                if (!newest.TryTake(out ReceivedPacket packet))
-                    return false;
-
-                int number = CheckedPacket.Check(packet);
-                Assert.True(number > last, $"{number} after {last}");
-                Preemption.Stumble(random);
-                Assert.Equal(number, CheckedPacket.Check(packet));
-                last = number;
-                _taken++;
-                return true;
-            });
-        }
-
-        Assert.Equal(published, last);
+        await PassRisingAsync((in ReceivedPacket packet) => newest.Publish(packet), newest.TryTake);
     }
 
     [Fact]
@@ -182,6 +136,38 @@ public sealed class HandOverStressTests
                     Assert.Fail($"Value {value} of frame {index} is {frame.Values[value]}: another frame's.");
             }
         }
+    }
+
+    // Checks that packets arrive whole and in order, though not all of them, and that the last one arrives. Returns the number of the last one.
+    private async Task<int> PassRisingAsync(Publish publish, TryTake tryTake)
+    {
+        int published = 0;
+        int last = 0;
+        using (new Preemption())
+        {
+            Task producer = Produce((number, packet) =>
+            {
+                publish(packet);
+                published = number;
+            });
+            var random = new Random(2);
+            await Consume(producer, () =>
+            {
+                if (!tryTake(out ReceivedPacket packet))
+                    return false;
+
+                int number = CheckedPacket.Check(packet);
+                Assert.True(number > last, $"{number} after {last}");
+                Preemption.Stumble(random);
+                Assert.Equal(number, CheckedPacket.Check(packet));
+                last = number;
+                _taken++;
+                return true;
+            });
+        }
+
+        Assert.Equal(published, last);
+        return published;
     }
 
     // A thread that creates packets from number 1 on, for a while, and until enough of them were taken.

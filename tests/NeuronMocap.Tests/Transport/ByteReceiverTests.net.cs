@@ -120,7 +120,7 @@ public sealed partial class ByteReceiverTests
         {
         }
 
-        public void OnBytes(StreamConnection connection, int number, byte[] sender, ReadOnlySpan<byte> bytes, long timestamp) => Sizes.Add(bytes.Length);
+        public void OnBytes(StreamConnection connection, int number, byte[] sender, ArraySegment<byte> bytes, long timestamp) => Sizes.Add(bytes.Count);
 
         public void OnClosed(StreamConnection connection, string reason, long timestamp)
         {

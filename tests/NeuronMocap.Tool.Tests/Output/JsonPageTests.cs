@@ -64,6 +64,7 @@ public sealed partial class JsonPageTests
 
     [Theory]
     [InlineData("watch")]
+    [InlineData("relay", "demo", "tcp://127.0.0.1:0", "--duration", "1.5")]
     [InlineData("diagnose", "demo", "--duration", "15")]
     [InlineData("command", "demo")]
     [InlineData("command", "demo", "bones")]
@@ -136,7 +137,12 @@ public sealed partial class JsonPageTests
         }));
         yield return Text(_lines.FileFailed(new FileFailure("export", "take.bvh", "the disk is full.", 7, 0)));
         yield return Text(_lines.FileFailed(new FileFailure("recording", "take.nmrec", "the disk is full.", 7, 0)));
+        var flow = new FlowFigures("tcp://127.0.0.1:7001", "packets", "ok", 1, 2, 3);
+        yield return Text(_lines.Opened(flow.Destination, flow.Unit));
+        yield return Text(_lines.Received(default, 1));
+        yield return Text(_lines.Flow(flow));
         yield return Text(_lines.Summary(default(ReaderStatistics)));
+        yield return Text(_lines.Summary(default, [flow]));
         yield return Text(_lines.Step(new DiagnosisStep("port", StepOutcome.Ok, "open", TimeSpan.Zero)));
         var server = new ServerAddress("studio", 8013);
         yield return CommandJson.ZeroOut(server, 0);

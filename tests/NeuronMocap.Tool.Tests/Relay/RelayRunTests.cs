@@ -106,7 +106,7 @@ public sealed class RelayRunTests : IDisposable
             Assert.Contains(result.Output, static line => line.Contains("waiting for clients", StringComparison.Ordinal));
     }
 
-    private static void WriteRecording(string path, params byte[][] pieces)
+    internal static void WriteRecording(string path, params byte[][] pieces)
     {
         using RecordingWriter writer = RecordingWriter.Create(path);
         writer.OpenConnection(TimeSpan.Zero, new RecordedConnection(0, TransportKind.Tcp, "127.0.0.1:50000", "127.0.0.1:7001"));

@@ -187,23 +187,23 @@ public sealed class StreamRecorder : IStreamListener, IFileOutput, IDisposable, 
         _links = [.. _links.Where(link => link.Connection.IsCalculation != connection.IsCalculation), new RecordedLink(connection, isReported)];
     }
 
-    void IStreamListener.OnBytes(StreamConnection connection, int number, byte[] sender, ReadOnlySpan<byte> bytes, long timestamp)
+    void IStreamListener.OnBytes(StreamConnection connection, int number, byte[] sender, ArraySegment<byte> bytes, long timestamp)
     {
         if (_ring is not { } ring || Find(connection) is not { } link)
             return;
 
         var record = new PieceRecord { Kind = PieceKind.Bytes, Connection = connection.Number, Sender = number, Timestamp = timestamp };
-        if (bytes.Length <= RecordingWriter.MaxPieceLength && ring.HasRoom(sender.Length + bytes.Length)
+        if (bytes.Count <= RecordingWriter.MaxPieceLength && ring.HasRoom(sender.Length + bytes.Count)
             && link.TryReportPending(ring, timestamp) && ring.TryWrite(record, sender, bytes))
         {
             Volatile.Write(ref _takenPieces, _takenPieces + 1);
-            Volatile.Write(ref _takenBytes, _takenBytes + bytes.Length);
+            Volatile.Write(ref _takenBytes, _takenBytes + bytes.Count);
             return;
         }
 
-        link.Lose(bytes.Length);
+        link.Lose(bytes.Count);
         Volatile.Write(ref _lostPieces, _lostPieces + 1);
-        Volatile.Write(ref _lostBytes, _lostBytes + bytes.Length);
+        Volatile.Write(ref _lostBytes, _lostBytes + bytes.Count);
     }
 
     void IStreamListener.OnClosed(StreamConnection connection, string reason, long timestamp)

@@ -20,7 +20,7 @@ internal sealed class TapLog : IStreamListener
 
     public void OnOpened(StreamConnection connection, bool wasOpen, long timestamp) => Opened.Add(connection);
 
-    public void OnBytes(StreamConnection connection, int source, byte[] sender, ReadOnlySpan<byte> bytes, long timestamp)
+    public void OnBytes(StreamConnection connection, int source, byte[] sender, ArraySegment<byte> bytes, long timestamp)
     {
         Pieces.Add((connection.Number, source, Convert.ToHexString(bytes), timestamp));
         if (sender.Length > 0 && !Senders.Exists(known => known.Source == source))

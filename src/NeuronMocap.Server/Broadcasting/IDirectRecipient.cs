@@ -1,0 +1,11 @@
+namespace NeuronMocap.Server.Broadcasting;
+
+/// <summary>A recipient that takes units on the writer's thread while its own thread waits for the next one.</summary>
+internal interface IDirectRecipient
+{
+    // Takes as many units as it can without waiting, and returns their number. Does not throw.
+    int Take(UnitBatch units);
+
+    // Whether it has sent everything that it took. Otherwise its thread must send the rest first.
+    bool IsReady { get; }
+}

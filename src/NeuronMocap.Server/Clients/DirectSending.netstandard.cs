@@ -1,0 +1,8 @@
+namespace NeuronMocap.Server.Clients;
+
+/// <summary>Whether a socket can send without waiting, so that the thread that receives for a relay may send.</summary>
+internal static class DirectSending
+{
+    // On Mono, a non-blocking socket that is full tries again and again inside Send, until everything is sent.
+    public static bool IsSupported => false;
+}
