@@ -1,5 +1,7 @@
 using System.Globalization;
 using System.Net;
+using System.Security.Cryptography;
+using System.Security.Cryptography.X509Certificates;
 using Microsoft.Extensions.Configuration;
 using Microsoft.Extensions.Options;
 using NeuronMocap.Skeleton;
@@ -11,6 +13,7 @@ namespace NeuronMocap.Hosting;
 internal static class ReaderSettings
 {
     private const string AllowedSenders = "AllowedSenders";
+    private const string TlsEnabled = "Tls:Enabled";
 
     private static readonly Dictionary<string, Action<NeuronReaderOptions, string>> Settings = new(StringComparer.OrdinalIgnoreCase)
     {
@@ -32,6 +35,9 @@ internal static class ReaderSettings
         ["CommandPort"] = static (options, text) => options.CommandPort = Number(text),
         ["CalculationPort"] = static (options, text) => options.CalculationPort = Number(text),
         ["MaxValues"] = static (options, text) => options.MaxValues = Number(text),
+        [TlsEnabled] = static (options, text) => options.Tls = Switch(text) ? options.Tls ?? new() : null,
+        ["Tls:TargetHost"] = static (options, text) => (options.Tls ??= new()).TargetHost = text,
+        ["Tls:TrustedCertificate"] = static (options, text) => (options.Tls ??= new()).TrustedCertificate = Certificate(text),
     };
 
     public static IEnumerable<string> Keys => Settings.Keys;
@@ -51,6 +57,10 @@ internal static class ReaderSettings
             if (Find(key, text, options) is { } fault)
                 faults.Add(Prefix(name) + fault);
         }
+
+        // The other settings of TLS may come after the one that turns it off.
+        if (bool.TryParse(section[TlsEnabled], out bool isEncrypted) && !isEncrypted)
+            options.Tls = null;
 
         if (faults.Count > 0)
             throw new OptionsValidationException(name, typeof(NeuronReaderOptions), faults);
@@ -92,6 +102,18 @@ internal static class ReaderSettings
 
     private static IEnumerable<IPAddress> Addresses(string text) =>
         text.Split(',', StringSplitOptions.TrimEntries | StringSplitOptions.RemoveEmptyEntries).Select(static part => Address(part)!);
+
+    private static X509Certificate2 Certificate(string file)
+    {
+        try
+        {
+            return new X509Certificate2(file);
+        }
+        catch (CryptographicException exception)
+        {
+            throw new FormatException("a file that holds a certificate in PEM or DER form", exception);
+        }
+    }
 
     // Some versions turn a null in JSON into an empty string.
     private static IPAddress? Address(string text)

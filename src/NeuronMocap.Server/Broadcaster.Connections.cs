@@ -11,7 +11,7 @@ public sealed partial class Broadcaster
 {
     private void Open()
     {
-        var senders = new List<SocketRecipient>(_options.UdpDestinations.Count * _streams.Length);
+        var senders = new List<NetworkRecipient>(_options.UdpDestinations.Count * _streams.Length);
         var listeners = new List<ClientListener>(_streams.Length);
         try
         {
@@ -111,51 +111,55 @@ public sealed partial class Broadcaster
         _workers.Add(worker);
     }
 
-    private int CountClients(BroadcastStream stream) => _recipients.Count(recipient => recipient.Stream == stream && recipient is TcpClientSession);
+    private int CountClients(BroadcastStream stream) => _recipients.Count(recipient => recipient.Stream == stream && recipient is ClientSession);
 
     private void OnAccepted(BroadcastStream stream, Socket socket)
     {
         lock (_lock)
         {
-            if (_hasEnded || CountClients(stream) >= _options.MaxClients)
-            {
-                _refused += _hasEnded ? 0 : 1;
+            if (!TryServe(stream, () => new SocketTransport(socket, _options.ClientTimeout, ClientSession.SendBufferSize), OnRecipientEnded))
                 socket.Dispose();
-                return;
-            }
-
-            if (!TryServe(stream, socket))
-                return;
-
-            stream.HasAccepted = true;
-            if (_streams.All(static each => each.HasAccepted))
-                Begin();
         }
     }
 
-    // Takes the client's place in the log before the first frame is made.
-    private bool TryServe(BroadcastStream stream, Socket socket)
+    // Takes the client's place in the log before the first frame is made. Returns false if the client is not served; the caller then ends its connection.
+    private bool TryServe(BroadcastStream stream, Func<ClientTransport> open, Action<Recipient, Exception?> ended)
     {
+        if (_hasEnded || CountClients(stream) >= _options.MaxClients)
+        {
+            _refused += _hasEnded ? 0 : 1;
+            return false;
+        }
+
         FrameFeed? feed = null;
         try
         {
             feed = stream.CreateFeed(isSingle: false);
-            var session = new TcpClientSession(socket, stream, feed, _options, OnRecipientEnded, _report);
+            var session = new ClientSession(open(), stream, feed, _options, ended, _report);
             Launch(session.Worker);
             _recipients.Add(session);
             _accepted++;
-            return true;
         }
         catch (Exception exception)
         {
             // The client reset the connection before it was served, the system cannot create a thread, or the recording's file is gone.
             _refused++;
-            socket.Dispose();
             feed?.Close();
             if (exception is not (SocketException or OutOfMemoryException or IOException or UnauthorizedAccessException or NeuronException))
                 _report.Report(exception);
             return false;
         }
+
+        OnServed(stream);
+        return true;
+    }
+
+    // Without a listener, a stream has no clients of its own to wait for.
+    private void OnServed(BroadcastStream stream)
+    {
+        stream.HasAccepted = true;
+        if (_streams.All(static each => each.HasAccepted || each.Listener is null))
+            Begin();
     }
 
     private void OnRecipientEnded(Recipient recipient, Exception? error)

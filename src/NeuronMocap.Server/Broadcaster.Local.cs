@@ -2,7 +2,7 @@ using NeuronMocap.Server.Clients;
 
 namespace NeuronMocap.Server;
 
-/// <content>Recipients in the same process.</content>
+/// <content>Recipients in the same process, and those that another server accepted.</content>
 public sealed partial class Broadcaster
 {
     /// <summary>Creates a source from which readers in this process receive the broadcast, without a port or a connection.</summary>
@@ -26,17 +26,37 @@ public sealed partial class Broadcaster
     {
         lock (_lock)
         {
-            if (_hasEnded || !_isStarted)
-                throw new NeuronConnectionException(ConnectionReason.Refused, _hasEnded ? "The broadcaster has been stopped." : "The broadcaster has not been started.");
-
+            CheckRuns();
             BroadcastStream stream = _streams[0];
             var recipient = new LocalRecipient(stream, stream.CreateFeed(isSingle: false), OnRecipientEnded);
             _recipients.Add(recipient);
-            stream.HasAccepted = true;
-            if (_streams.All(static each => each.HasAccepted || each.Listener is null))
-                Begin();
-
+            OnServed(stream);
             return recipient;
         }
+    }
+
+    // Serves a connection that another server accepted, like a client of Port. The task ends when the client is no longer served. Returns false if there is no
+    // place for it. The caller then ends the connection.
+    internal bool TryServe(ClientTransport transport, out Task served)
+    {
+        var completion = new TaskCompletionSource<bool>(TaskCreationOptions.RunContinuationsAsynchronously);
+        served = completion.Task;
+        lock (_lock)
+        {
+            CheckRuns();
+            return TryServe(_streams[0], () => transport, OnEnded);
+        }
+
+        void OnEnded(Recipient recipient, Exception? error)
+        {
+            OnRecipientEnded(recipient, error);
+            completion.TrySetResult(true);
+        }
+    }
+
+    private void CheckRuns()
+    {
+        if (_hasEnded || !_isStarted)
+            throw new NeuronConnectionException(ConnectionReason.Refused, _hasEnded ? "The broadcaster has been stopped." : "The broadcaster has not been started.");
     }
 }

@@ -103,6 +103,8 @@ public sealed partial class Broadcaster : IDisposable, IAsyncDisposable
     /// <summary>The values that motion packets carry, from the settings or else from the first source. The default value for a recording or a reader.</summary>
     public ChannelLayout Layout => _plan?.Layout ?? default;
 
+    internal TimeSpan ClientTimeout => _options.ClientTimeout;
+
     /// <summary>Completes when the broadcast is over or the broadcaster is stopped.</summary>
     /// <remarks>
     /// <para>
@@ -168,7 +170,7 @@ public sealed partial class Broadcaster : IDisposable, IAsyncDisposable
 
         lock (_lock)
         {
-            foreach (TcpClientSession client in _recipients.OfType<TcpClientSession>())
+            foreach (ClientSession client in _recipients.OfType<ClientSession>())
                 client.Push(DataCommandId.CombinationMode, avatarIndex);
         }
     }

@@ -85,5 +85,23 @@ public sealed class CommandServer : IDisposable, IAsyncDisposable
     /// <returns>A task that completes when everything is closed.</returns>
     public ValueTask DisposeAsync() => new(Task.Run(Stop));
 
-    private CommandSession CreateSession(Socket socket) => new(socket, _answers, _options, GetTimestamp, _stop, _port.OnEnded, _report);
+    // Serves a connection that another server accepted. The port need not be open. The task ends when the client is no longer served. Returns
+    // false if there is no place for it. The caller then ends the connection.
+    internal bool TryServe(ClientTransport transport, out Task served)
+    {
+        var completion = new TaskCompletionSource<bool>(TaskCreationOptions.RunContinuationsAsynchronously);
+        served = completion.Task;
+        return _port.TryServe(() => CreateSession(transport, OnEnded));
+
+        void OnEnded(ICommandSession session)
+        {
+            _port.OnEnded(session);
+            completion.TrySetResult(true);
+        }
+    }
+
+    private CommandSession CreateSession(Socket socket) => CreateSession(new SocketTransport(socket, CommandSession.SendTimeout), _port.OnEnded);
+
+    private CommandSession CreateSession(ClientTransport transport, Action<ICommandSession> ended) =>
+        new(transport, _answers, _options, GetTimestamp, _stop, ended, _report);
 }

@@ -8,10 +8,11 @@ public sealed partial class NeuronReaderOptions
 {
     /// <summary>
     /// Makes options from an address in the form used on command lines and in settings dialogs. It sets <see cref="Transport"/>, <see cref="Host"/>,
-    /// <see cref="Port"/> and <see cref="LocalAddress"/>; all other options keep their defaults.
+    /// <see cref="Port"/>, <see cref="LocalAddress"/> and <see cref="Tls"/>; all other options keep their defaults.
     /// </summary>
     /// <param name="address">
-    /// For a TCP server: <c>HOST</c>, <c>HOST:PORT</c> or <c>tcp://HOST:PORT</c>; the default port is 7001. To receive over UDP: <c>udp://:PORT</c> or
+    /// For a TCP server: <c>HOST</c>, <c>HOST:PORT</c> or <c>tcp://HOST:PORT</c>; the default port is 7001. <c>tls://HOST:PORT</c> for a server that
+    /// encrypts its stream. To receive over UDP: <c>udp://:PORT</c> or
     /// <c>udp://LOCALADDRESS:PORT</c>; port 0 takes any free port. An IPv6 address with a port needs brackets: <c>[::1]:7001</c>.
     /// </param>
     /// <returns>New options.</returns>
@@ -22,7 +23,8 @@ public sealed partial class NeuronReaderOptions
         if (AddressText.ParseUdp(address) is (int udpPort, var localAddress))
             return new NeuronReaderOptions { Transport = TransportKind.Udp, Port = udpPort, LocalAddress = localAddress };
 
-        (string host, int port) = AddressText.ParseServer(address, ProtocolConstants.DefaultPort);
-        return new NeuronReaderOptions { Host = host, Port = port };
+        string? encrypted = AddressText.WithoutTls(address);
+        (string host, int port) = AddressText.ParseServer(encrypted ?? address, ProtocolConstants.DefaultPort);
+        return new NeuronReaderOptions { Host = host, Port = port, Tls = encrypted is null ? null : new NeuronTlsOptions() };
     }
 }

@@ -22,7 +22,7 @@ public sealed partial class NeuronReaderOptions
     /// </summary>
     /// <remarks>
     /// With a source, these options have no effect: <see cref="Transport"/>, <see cref="Port"/>, <see cref="LocalAddress"/>, <see cref="SharePort"/>,
-    /// <see cref="AllowedSenders"/>, <see cref="ConnectTimeout"/> and <see cref="CalculationPort"/>. <see cref="Host"/> is only the computer of
+    /// <see cref="AllowedSenders"/>, <see cref="ConnectTimeout"/>, <see cref="Tls"/> and <see cref="CalculationPort"/>. <see cref="Host"/> is only the computer of
     /// <see cref="CommandPort"/>. The reader sends nothing to a source, so <see cref="NeuronReader.DataCommands"/> are not available.
     /// </remarks>
     public ByteSource? Source { get; set; }
@@ -40,6 +40,12 @@ public sealed partial class NeuronReaderOptions
     /// TCP port of the server, 1 to 65535, or UDP port to receive on, 0 to 65535; UDP port 0 takes any free port. The default is 7001.
     /// </summary>
     public int Port { get; set; } = ProtocolConstants.DefaultPort;
+
+    /// <summary>
+    /// Encrypts the TCP connection, and that of <see cref="CalculationPort"/>, with TLS, and checks the server's certificate. Null, the default, for a connection
+    /// without TLS, as Axis Neuron and Axis Studio need it. The connection of <see cref="CommandPort"/> is never encrypted.
+    /// </summary>
+    public NeuronTlsOptions? Tls { get; set; }
 
     /// <summary>
     /// Address of this computer to connect from or receive on. With null, the default, the system chooses for TCP, and UDP receives on all IPv4 addresses.
@@ -145,6 +151,7 @@ public sealed partial class NeuronReaderOptions
         MaxValues = MaxValues,
         SharePort = SharePort,
         ReceiveThread = ReceiveThread,
+        Tls = Tls,
     };
 
     // Null if motion and calculation data share one connection, or if calculation data is not received.
@@ -166,6 +173,7 @@ public sealed partial class NeuronReaderOptions
     {
         var copy = (NeuronReaderOptions)MemberwiseClone();
         copy.Reconnect = Reconnect.Copy();
+        copy.Tls = Tls?.Copy();
         copy.AllowedSenders = AllowedSenders?.ToArray() ?? [];
         if (Source is not null)
             copy.ForgetNetwork();
@@ -224,6 +232,8 @@ public sealed partial class NeuronReaderOptions
             return $"RotationOrder is {order}; it must be one of the six orders, or null.";
         if (SkeletonVariant is { } variant && !Enum.IsDefined(typeof(SkeletonVariant), variant))
             return $"SkeletonVariant is {variant}; it must be Neck1, Spine3 or null.";
+        if (Tls is not null && Transport == TransportKind.Udp)
+            return "Tls is set and Transport is Udp; TLS needs TCP.";
         if (CommandPort is < 1 or > IPEndPoint.MaxPort)
             return $"CommandPort is {CommandPort}; it must be 1 to {IPEndPoint.MaxPort}, or null.";
         if (CommandPort == Port && Transport == TransportKind.Tcp)
@@ -239,6 +249,6 @@ public sealed partial class NeuronReaderOptions
         if (Reconnect is null)
             return "Reconnect is null; to turn reconnecting off, set its Enabled to false.";
 
-        return Reconnect.FindFault();
+        return Tls?.FindFault() ?? Reconnect.FindFault();
     }
 }

@@ -1,4 +1,6 @@
 using System.Net;
+using System.Security.Cryptography;
+using System.Security.Cryptography.X509Certificates;
 using Microsoft.Extensions.Configuration;
 using Microsoft.Extensions.Options;
 using NeuronMocap.Skeleton;
@@ -33,13 +35,33 @@ public sealed class ReaderSettingsTests
     }
 
     [Fact]
+    public void TLS_is_read_and_can_be_turned_off()
+    {
+        Assert.NotNull(Read(("Tls:Enabled", "true")).Tls);
+        Assert.Equal("stage", Read(("Tls:TargetHost", "stage")).Tls?.TargetHost);
+        Assert.Null(Read(("Tls:Enabled", "false"), ("Tls:TargetHost", "stage")).Tls);
+
+        string file = Path.GetTempFileName();
+        using var key = ECDsa.Create(ECCurve.NamedCurves.nistP256);
+        using X509Certificate2 certificate = new CertificateRequest("CN=stage", key, HashAlgorithmName.SHA256).CreateSelfSigned(DateTimeOffset.UtcNow, DateTimeOffset.UtcNow.AddDays(1));
+        File.WriteAllText(file, certificate.ExportCertificatePem());
+        Assert.Equal(certificate.RawData, Read(("Tls:TrustedCertificate", file)).Tls!.TrustedCertificate!.RawData);
+        File.WriteAllText(file, "no certificate");
+        Assert.Contains("a file that holds a certificate", Assert.Throws<OptionsValidationException>(() => Read(("Tls:TrustedCertificate", file))).Message, StringComparison.Ordinal);
+        File.Delete(file);
+        Assert.Contains("a file that holds a certificate", Assert.Throws<OptionsValidationException>(() => Read(("Tls:TrustedCertificate", file))).Message, StringComparison.Ordinal);
+    }
+
+    [Fact]
     public void Every_option_has_a_setting()
     {
         // A source is an object, which only code can create.
         IEnumerable<string> expected = typeof(NeuronReaderOptions).GetProperties()
-            .Where(property => property.Name is not (nameof(NeuronReaderOptions.LoggerFactory) or nameof(NeuronReaderOptions.Reconnect) or nameof(NeuronReaderOptions.Source)))
+            .Where(property => property.Name is not (nameof(NeuronReaderOptions.LoggerFactory) or nameof(NeuronReaderOptions.Reconnect) or nameof(NeuronReaderOptions.Source) or nameof(NeuronReaderOptions.Tls)))
             .Select(property => property.Name)
-            .Concat(typeof(ReconnectPolicy).GetProperties().Select(property => $"Reconnect:{property.Name}"));
+            .Concat(typeof(ReconnectPolicy).GetProperties().Select(property => $"Reconnect:{property.Name}"))
+            .Concat(typeof(NeuronTlsOptions).GetProperties().Select(property => $"Tls:{property.Name}"))
+            .Append("Tls:Enabled");
         Assert.Equal(expected.Order(StringComparer.Ordinal), ReaderSettings.Keys.Order(StringComparer.Ordinal));
     }
 

@@ -84,32 +84,39 @@ internal sealed class CommandPort(
             _sessions.Remove(session);
     }
 
-    private void OnAccepted(Socket socket)
+    // Starts a session, of this port or of a connection that another server accepted. Returns false if there is no place for it. The caller then ends the
+    // connection.
+    public bool TryServe(Func<ICommandSession> open)
     {
         lock (_lock)
         {
             if (_hasEnded || (CountClients() >= maxClients && !TryMakeRoom()))
-            {
-                socket.Dispose();
-                return;
-            }
+                return false;
 
             ICommandSession? session = null;
             try
             {
-                session = create(socket);
+                session = open();
                 _sessions.Add(session);
                 if (session.Start() is { } worker)
                     _workers.Add(worker);
+
+                return true;
             }
             catch (Exception exception) when (exception is SocketException or OutOfMemoryException)
             {
                 // The client reset the connection before it was served, or the system cannot create a thread.
-                socket.Dispose();
                 if (session is not null)
                     _sessions.Remove(session);
+                return false;
             }
         }
+    }
+
+    private void OnAccepted(Socket socket)
+    {
+        if (!TryServe(() => create(socket)))
+            socket.Dispose();
     }
 
     // A client that reconnects has closed its old connection, but the old session may not have noticed yet. Only a full port needs to check.

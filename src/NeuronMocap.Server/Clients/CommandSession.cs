@@ -14,9 +14,9 @@ internal sealed class CommandSession : ICommandSession
     private const int MaxParameters = 1024;
 
     // A client that does not read its answers is disconnected.
-    private const int SendTimeout = 5000;
+    public static readonly TimeSpan SendTimeout = TimeSpan.FromSeconds(5);
 
-    private readonly Socket _socket;
+    private readonly ClientTransport _transport;
     private readonly CommandAnswers _answers;
     private readonly CommandReplyQuirks _quirks;
     private readonly IdleClock _idle;
@@ -28,7 +28,7 @@ internal sealed class CommandSession : ICommandSession
 
     // The server owns the event stop, which ends a delay. ended is called once, on the session's thread. An exception of a source ends the session.
     public CommandSession(
-        Socket socket,
+        ClientTransport transport,
         CommandAnswers answers,
         CommandServerOptions options,
         Func<long> getTimestamp,
@@ -36,15 +36,12 @@ internal sealed class CommandSession : ICommandSession
         Action<ICommandSession> ended,
         FaultReport report)
     {
-        _socket = socket;
+        _transport = transport;
         _answers = answers;
         _quirks = options.Quirks;
         _idle = new IdleClock(options.IdleTimeout, getTimestamp);
         _stop = stop;
         _ended = ended;
-        socket.NoDelay = true;
-        socket.SendTimeout = SendTimeout;
-        TcpKeepAlive.Enable(socket);
         _worker = new Worker("NeuronMocap commands", Run, report);
     }
 
@@ -52,20 +49,7 @@ internal sealed class CommandSession : ICommandSession
     public IdleClock Idle => _idle;
 
     // Thread-safe. The client has closed its side and no answer is left to send, so the session is about to end.
-    public bool IsLeft
-    {
-        get
-        {
-            try
-            {
-                return _idle.Elapsed is not null && _socket.Poll(0, SelectMode.SelectRead) && _socket.Available == 0;
-            }
-            catch (Exception exception) when (SocketErrors.IsExpected(exception))
-            {
-                return true;
-            }
-        }
-    }
+    public bool IsLeft => _idle.Elapsed is not null && _transport.IsLeft;
 
     public Worker Start()
     {
@@ -73,7 +57,7 @@ internal sealed class CommandSession : ICommandSession
         return _worker;
     }
 
-    public void Dispose() => _socket.Dispose();
+    public void Dispose() => _transport.Dispose();
 
     private void Run()
     {
@@ -87,24 +71,9 @@ internal sealed class CommandSession : ICommandSession
         }
         finally
         {
-            Close();
+            Dispose();
             _ended(this);
         }
-    }
-
-    // Closing a socket with unread bytes resets the connection. The client would lose an answer that it has not read yet.
-    private void Close()
-    {
-        try
-        {
-            _socket.Shutdown(SocketShutdown.Send);
-        }
-        catch (Exception exception) when (SocketErrors.IsExpected(exception))
-        {
-            // The client or the server already closed it.
-        }
-
-        _socket.Dispose();
     }
 
     private void Serve()
@@ -119,9 +88,7 @@ internal sealed class CommandSession : ICommandSession
                 if (_idle.GetRest() is not { } rest)
                     return;
 
-                _socket.ReceiveTimeout = rest;
-                ArraySegment<byte> room = _reader.GetRoom();
-                int count = _socket.Receive(room.Array!, room.Offset, room.Count, SocketFlags.None);
+                int count = _transport.Receive(_reader.GetRoom(), rest);
                 if (count == 0)
                     return;
 
@@ -180,6 +147,12 @@ internal sealed class CommandSession : ICommandSession
     {
         int piece = _quirks.Fragment ?? packet.Length;
         for (int sent = 0; sent < packet.Length;)
-            sent += _socket.Send(packet, sent, Math.Min(piece, packet.Length - sent), SocketFlags.None);
+        {
+            SocketError error = _transport.TrySend(packet, sent, Math.Min(piece, packet.Length - sent), out int count);
+            if (error != SocketError.Success)
+                throw new SocketException((int)error);
+
+            sent += count;
+        }
     }
 }

@@ -9,7 +9,7 @@ namespace NeuronMocap.Server.Clients;
 /// A packet or a line of text larger than the fragment size is cut, as Axis Neuron on macOS does: 1024 bytes, then the rest (protocol.md section
 /// 4.2).
 /// </remarks>
-internal sealed class UdpRecipient : SocketRecipient, IDirectRecipient
+internal sealed class UdpRecipient : NetworkRecipient, IDirectRecipient
 {
     // Maximum size of a datagram over IPv4.
     private const int MaxDatagram = 65_507;
@@ -17,6 +17,7 @@ internal sealed class UdpRecipient : SocketRecipient, IDirectRecipient
     // Microseconds. A socket is closed no later than this after a stop.
     private const int WaitForRoom = 50_000;
 
+    private readonly Socket _socket;
     private readonly int _fragment;
     private readonly byte[] _buffer;
     private long _motionPackets;
@@ -30,8 +31,9 @@ internal sealed class UdpRecipient : SocketRecipient, IDirectRecipient
         int? fragment,
         Action<Recipient, Exception?> ended,
         FaultReport report)
-        : base(socket, destination, stream, feed, ended, report)
+        : base(destination, stream, feed, ended, report)
     {
+        _socket = socket;
         _fragment = Math.Min(fragment ?? MaxDatagram, MaxDatagram);
         _buffer = new byte[ReadSize];
         if (!stream.IsDirect)
@@ -61,6 +63,8 @@ internal sealed class UdpRecipient : SocketRecipient, IDirectRecipient
             throw;
         }
     }
+
+    public override void Dispose() => _socket.Dispose();
 
     // Runs on the publishing thread while this recipient's thread waits in ReadFeed. Each unit is a packet.
     int IDirectRecipient.Take(UnitBatch units)
@@ -131,13 +135,13 @@ internal sealed class UdpRecipient : SocketRecipient, IDirectRecipient
     {
         while (true)
         {
-            Socket.Send(bytes, offset, length, SocketFlags.None, out SocketError error);
+            _socket.Send(bytes, offset, length, SocketFlags.None, out SocketError error);
             if (error is SocketError.ConnectionRefused or SocketError.ConnectionReset)
-                Socket.Send(bytes, offset, length, SocketFlags.None, out error);
-            if (error != SocketError.WouldBlock || !mayWait || Socket.Blocking)
+                _socket.Send(bytes, offset, length, SocketFlags.None, out error);
+            if (error != SocketError.WouldBlock || !mayWait || _socket.Blocking)
                 return error;
 
-            Socket.Poll(WaitForRoom, SelectMode.SelectWrite);
+            _socket.Poll(WaitForRoom, SelectMode.SelectWrite);
         }
     }
 }

@@ -1,6 +1,8 @@
 using System.CommandLine;
 using System.CommandLine.Parsing;
 using System.Net;
+using System.Security.Cryptography;
+using System.Security.Cryptography.X509Certificates;
 using NeuronMocap.Protocol;
 
 namespace NeuronMocap.Tool.Arguments;
@@ -27,7 +29,22 @@ internal sealed class ConnectionArguments
         "Receive calculation data as well, from this port of the server, over UDP on this port of this computer. "
             + $"Usually {ProtocolConstants.DefaultCalculationPort}.");
 
-    public Option[] All => [AllowSender, LocalAddress, CommandPort, CalculationPort];
+    public Option<X509Certificate2?> Trust { get; } = new("--trust")
+    {
+        HelpName = "FILE",
+        Description = "With tls://: also trust the certificate in this file (PEM or DER). It is that of the server itself, or of the authority that has signed it.",
+        CustomParser = LoadCertificate,
+        Arity = ArgumentArity.ExactlyOne,
+    };
+
+    public Option<string?> TlsName { get; } = new("--tls-name")
+    {
+        HelpName = "NAME",
+        Description = "With tls://: the name in the server's certificate, if it differs from HOST.",
+        Arity = ArgumentArity.ExactlyOne,
+    };
+
+    public Option[] All => [AllowSender, LocalAddress, CommandPort, CalculationPort, Trust, TlsName];
 
     /// <summary>Adds an error for every option that has no meaning for the source.</summary>
     public void RejectContradictions(CommandResult result, Source source)
@@ -41,6 +58,10 @@ internal sealed class ConnectionArguments
             Reject(result, LocalAddress, "needs a server or udp://:PORT as the source: it is the end of that connection on this computer.");
         if (!isConnected)
             Reject(result, CalculationPort, "needs a server or udp://:PORT as the source: it is another port of the same server.");
+        if (!source.IsEncrypted)
+            Reject(result, Trust, "needs a source tls://HOST:PORT: no other source has a certificate to check.");
+        if (!source.IsEncrypted)
+            Reject(result, TlsName, "needs a source tls://HOST:PORT: no other source has a certificate to check.");
         if (source.LocalAddress is not null)
             Reject(result, LocalAddress, $"and {source} exclude each other: both say where to receive.");
     }
@@ -49,6 +70,8 @@ internal sealed class ConnectionArguments
     public ConnectionOptions Read(ParseResult result, Source source) => new()
     {
         Server = source.Server,
+        WebSocket = source.WebSocket,
+        Tls = source.IsEncrypted ? new NeuronTlsOptions { TrustedCertificate = result.GetValue(Trust), TargetHost = result.GetValue(TlsName) } : null,
         UdpPort = source.UdpPort,
         VmcPort = source.VmcPort,
         LocalAddress = result.GetValue(LocalAddress) ?? source.LocalAddress,
@@ -56,6 +79,20 @@ internal sealed class ConnectionArguments
         CommandPort = result.GetValue(CommandPort),
         CalculationPort = result.GetValue(CalculationPort),
     };
+
+    private static X509Certificate2? LoadCertificate(ArgumentResult result)
+    {
+        string file = result.Tokens[0].Value;
+        try
+        {
+            return X509CertificateLoader.LoadCertificateFromFile(file);
+        }
+        catch (Exception exception) when (exception is CryptographicException or IOException or UnauthorizedAccessException)
+        {
+            result.AddError($"--trust: {(File.Exists(file) ? $"'{file}' is not a certificate in PEM or DER form." : $"there is no file '{file}'.")}");
+            return null;
+        }
+    }
 
     private static void Reject(CommandResult result, Option option, string why)
     {

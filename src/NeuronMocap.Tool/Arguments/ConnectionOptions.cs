@@ -13,6 +13,12 @@ internal sealed record ConnectionOptions
     /// <summary>The TCP server; null for UDP and for the demo.</summary>
     public ServerAddress? Server { get; init; }
 
+    /// <summary>How the certificate of the TCP server is checked; null for a connection without TLS.</summary>
+    public NeuronTlsOptions? Tls { get; init; }
+
+    /// <summary>The address of a server of WebSockets; null for other sources.</summary>
+    public Uri? WebSocket { get; init; }
+
     /// <summary>The UDP port; null for TCP and for the demo.</summary>
     public int? UdpPort { get; init; }
 
@@ -41,14 +47,15 @@ internal sealed record ConnectionOptions
     public TimeSpan? Duration { get; init; }
 
     /// <summary>Whether a simulator inside this process is the server.</summary>
-    public bool IsDemo => Server is null && UdpPort is null && VmcPort is null;
+    public bool IsDemo => Server is null && UdpPort is null && VmcPort is null && WebSocket is null;
 
     /// <summary>The source, as an argument of the command line.</summary>
     public string Source => this switch
     {
         { UdpPort: { } port } => Arguments.Source.OfUdp(port, LocalAddress).ToString(),
         { VmcPort: { } port } => Arguments.Source.OfVmc(port, LocalAddress).ToString(),
-        { Server: { } server } => Arguments.Source.OfServer(server).ToString(),
+        { WebSocket: { } address } => Arguments.Source.OfWebSocket(address).ToString(),
+        { Server: { } server } => Arguments.Source.OfServer(server, Tls is not null).ToString(),
         _ => Arguments.Source.Demo.ToString(),
     };
 
@@ -78,6 +85,8 @@ internal sealed record ConnectionOptions
             CommandPort = CommandPort,
             CalculationPort = CalculationPort,
             LocalAddress = LocalAddress,
+            Tls = Tls,
+            Source = WebSocket is null ? null : new WebSocketSource(WebSocket) { ConnectTimeout = WithinHalfOfDuration(LongestConnect) },
             SilenceTimeout = WithinHalfOfDuration(LongestSilence),
             ConnectTimeout = WithinHalfOfDuration(LongestConnect),
             Reconnect = { Enabled = !Once },

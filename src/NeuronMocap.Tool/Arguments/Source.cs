@@ -13,6 +13,9 @@ internal enum SourceKind
     /// <summary>A server, over TCP.</summary>
     Tcp,
 
+    /// <summary>A server of WebSockets.</summary>
+    WebSocket,
+
     /// <summary>A port of this computer, over UDP.</summary>
     Udp,
 
@@ -23,15 +26,17 @@ internal enum SourceKind
     File,
 }
 
-/// <summary>The meaning of SOURCE: HOST, HOST:PORT, tcp://HOST[:PORT], udp:// or vmc://[ADDRESS]:PORT, a file, or demo.</summary>
+/// <summary>
+/// The meaning of SOURCE: HOST, HOST:PORT, tcp://HOST[:PORT], tls://HOST[:PORT], ws://HOST:PORT, udp:// or vmc://[ADDRESS]:PORT, a file, or demo.
+/// </summary>
 /// <param name="Kind">The kind of the source.</param>
 internal sealed record Source(SourceKind Kind)
 {
     /// <summary>The forms of a source, for help and errors.</summary>
-    public const string Forms = "HOST, HOST:PORT, tcp://HOST:PORT, udp://:PORT, vmc://:PORT, a file, or demo";
+    public const string Forms = "HOST, HOST:PORT, tcp://HOST:PORT, tls://HOST:PORT, ws://HOST:PORT, udp://:PORT, vmc://:PORT, a file, or demo";
 
     /// <summary>The forms of a source that has a connection.</summary>
-    public const string ConnectionForms = "HOST, HOST:PORT, tcp://HOST:PORT, udp://:PORT, or demo";
+    public const string ConnectionForms = "HOST, HOST:PORT, tcp://HOST:PORT, tls://HOST:PORT, ws://HOST:PORT, udp://:PORT, or demo";
 
     /// <summary>The forms of a source over TCP.</summary>
     public const string ServerForms = "HOST, HOST:PORT, tcp://HOST:PORT or demo";
@@ -41,13 +46,22 @@ internal sealed record Source(SourceKind Kind)
 
     private const string DemoWord = "demo";
     private const string TcpScheme = "tcp://";
+    private const string TlsScheme = "tls://";
     private const string UdpScheme = "udp://";
+
+    private static readonly string[] WebSocketSchemes = ["ws://", "wss://"];
 
     /// <summary>The simulator inside this process.</summary>
     public static Source Demo { get; } = new(SourceKind.Demo);
 
     /// <summary>The server; null unless the source is TCP.</summary>
     public ServerAddress? Server { get; private init; }
+
+    /// <summary>Whether the connection to the server is encrypted.</summary>
+    public bool IsEncrypted { get; private init; }
+
+    /// <summary>The address of a server of WebSockets; null for other sources.</summary>
+    public Uri? WebSocket { get; private init; }
 
     /// <summary>The port of this computer; null unless the source is UDP.</summary>
     public int? UdpPort { get; private init; }
@@ -61,7 +75,9 @@ internal sealed record Source(SourceKind Kind)
     /// <summary>The file as given; null unless the source is a file.</summary>
     public string? File { get; private init; }
 
-    public static Source OfServer(ServerAddress server) => new(SourceKind.Tcp) { Server = server };
+    public static Source OfServer(ServerAddress server, bool isEncrypted = false) => new(SourceKind.Tcp) { Server = server, IsEncrypted = isEncrypted };
+
+    public static Source OfWebSocket(Uri address) => new(SourceKind.WebSocket) { WebSocket = address };
 
     public static Source OfUdp(int port, IPAddress? localAddress = null) => new(SourceKind.Udp) { UdpPort = port, LocalAddress = localAddress };
 
@@ -93,7 +109,8 @@ internal sealed record Source(SourceKind Kind)
     /// <summary>The source as on the command line, with transport and port.</summary>
     public override string ToString() => Kind switch
     {
-        SourceKind.Tcp => $"{TcpScheme}{Server}",
+        SourceKind.Tcp => $"{(IsEncrypted ? TlsScheme : TcpScheme)}{Server}",
+        SourceKind.WebSocket => new WebSocketSource(WebSocket!).Name,
         SourceKind.Udp => $"{UdpScheme}{AddressText}:{UdpPort}",
         SourceKind.Vmc => $"{VmcScheme}{AddressText}:{VmcPort}",
         SourceKind.File => File!,
@@ -113,7 +130,9 @@ internal sealed record Source(SourceKind Kind)
             return ParseVmc(text, word[VmcScheme.Length..]);
 
         bool hasScheme = word.Contains("://", StringComparison.Ordinal);
-        bool isTransport = word.StartsWith(TcpScheme, StringComparison.OrdinalIgnoreCase) || word.StartsWith(UdpScheme, StringComparison.OrdinalIgnoreCase);
+        bool isTransport = HasScheme(word, TcpScheme) || HasScheme(word, TlsScheme) || HasScheme(word, UdpScheme);
+        if (Array.Exists(WebSocketSchemes, scheme => HasScheme(word, scheme)))
+            return ParseWebSocket(text, word);
         if (word.Length == 0 || (hasScheme && !isTransport))
             throw new FormatException($"'{text}' is not a source. Use {forms}.");
         if (!hasScheme && IsFileName(word))
@@ -123,7 +142,7 @@ internal sealed record Source(SourceKind Kind)
 
         var options = NeuronReaderOptions.Parse(word);
         if (options.Transport == TransportKind.Tcp)
-            return OfServer(new ServerAddress(options.Host, options.Port));
+            return OfServer(new ServerAddress(options.Host, options.Port), options.Tls is not null);
 
         // The library takes any free port for 0. No sender would know that port.
         return options.Port > 0
@@ -147,6 +166,13 @@ internal sealed record Source(SourceKind Kind)
 
         throw new FormatException($"'{text}' has no port that a program could send to. Use vmc://:PORT with a port from 1 to {IPEndPoint.MaxPort}; 39539 is usual.");
     }
+
+    // The query may hold a token.
+    private static Source ParseWebSocket(string text, string word) => Uri.TryCreate(word, UriKind.Absolute, out Uri? address) && address is { Host.Length: > 0, UserInfo.Length: 0, Port: > 0 }
+        ? OfWebSocket(address)
+        : throw new FormatException($"'{text}' is not the address of a WebSocket. Use ws://HOST:PORT.");
+
+    private static bool HasScheme(string word, string scheme) => word.StartsWith(scheme, StringComparison.OrdinalIgnoreCase);
 
     // A computer may have the name of a file. tcp://take.bin means the computer.
     private static bool IsFileName(string word) =>

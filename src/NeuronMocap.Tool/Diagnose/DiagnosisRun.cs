@@ -55,7 +55,8 @@ internal sealed class DiagnosisRun(ConnectionOptions options, OutputKind kind, S
         var output = new TextDiagnosis(streams);
         output.Begin(reader.Transport == TransportKind.Udp
             ? $"UDP port {reader.Port} of this computer"
-            : $"{new ServerAddress(reader.Host, reader.Port)} over TCP");
+            : options.WebSocket is not null ? options.Source
+            : $"{new ServerAddress(reader.Host, reader.Port)} over {(reader.Tls is null ? "TCP" : "TLS")}");
         return output;
     }
 

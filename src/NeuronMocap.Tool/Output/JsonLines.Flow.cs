@@ -1,4 +1,5 @@
 using System.Diagnostics;
+using NeuronMocap.Json;
 
 namespace NeuronMocap.Tool.Output;
 
@@ -9,8 +10,8 @@ internal sealed partial class JsonLines
     public ReadOnlySpan<byte> Opened(string destination, string unit)
     {
         Begin("opened"u8);
-        _json.WriteString("destination"u8, destination);
-        _json.WriteString("unit"u8, unit);
+        Json.WriteString("destination"u8, destination);
+        Json.WriteString("unit"u8, unit);
         WriteTime(Stopwatch.GetTimestamp());
         return End();
     }
@@ -19,10 +20,10 @@ internal sealed partial class JsonLines
     public ReadOnlySpan<byte> Received(ReaderStatistics statistics, double perSecond)
     {
         Begin("received"u8);
-        _json.WriteNumber("frames"u8, statistics.MotionFrames);
-        _json.WriteNumber("calculationFrames"u8, statistics.CalculationFrames + statistics.StudioCalculationFrames);
-        _json.WriteNumber("perSecond"u8, perSecond);
-        _json.WriteNumber("lost"u8, statistics.Lost);
+        Json.WriteNumber("frames"u8, statistics.MotionFrames);
+        Json.WriteNumber("calculationFrames"u8, statistics.CalculationFrames + statistics.StudioCalculationFrames);
+        Json.WriteNumber("perSecond"u8, perSecond);
+        Json.WriteNumber("lost"u8, statistics.Lost);
         WriteTime(Stopwatch.GetTimestamp());
         return End();
     }
@@ -32,9 +33,9 @@ internal sealed partial class JsonLines
     {
         Begin("flow"u8);
         WriteFlow(figures);
-        _json.WriteString("state"u8, figures.State);
-        _json.WriteNumber("perSecond"u8, figures.PerSecond);
-        _json.WriteNumber("clients"u8, figures.Clients);
+        Json.WriteString("state"u8, figures.State);
+        Json.WriteNumber("perSecond"u8, figures.PerSecond);
+        Json.WriteNumber("clients"u8, figures.Clients);
         WriteTime(Stopwatch.GetTimestamp());
         return End();
     }
@@ -43,25 +44,25 @@ internal sealed partial class JsonLines
     public ReadOnlySpan<byte> Summary(ReaderStatistics statistics, IEnumerable<FlowFigures> destinations)
     {
         BeginSummary(statistics);
-        _json.WriteStartArray("destinations"u8);
+        Json.WriteStartArray("destinations"u8);
         foreach (FlowFigures figures in destinations)
         {
-            _json.WriteStartObject();
+            Json.WriteStartObject();
             WriteFlow(figures);
-            _json.WriteEndObject();
+            Json.WriteEndObject();
         }
 
-        _json.WriteEndArray();
+        Json.WriteEndArray();
         return End();
     }
 
     private void WriteFlow(FlowFigures figures)
     {
-        _json.WriteString("destination"u8, figures.Destination);
-        _json.WriteString("unit"u8, figures.Unit);
-        _json.WriteNumber("sent"u8, figures.Sent);
-        _json.WriteNumber("dropped"u8, figures.Dropped);
-        _json.WriteNumber("bytes"u8, figures.Bytes);
-        _json.WriteString("failure"u8, figures.Failure);
+        Json.WriteString("destination"u8, figures.Destination);
+        Json.WriteString("unit"u8, figures.Unit);
+        Json.WriteNumber("sent"u8, figures.Sent);
+        Json.WriteNumber("dropped"u8, figures.Dropped);
+        Json.WriteNumber("bytes"u8, figures.Bytes);
+        Json.WriteString("failure"u8, figures.Failure);
     }
 }

@@ -1,3 +1,5 @@
+using NeuronMocap.Json;
+
 namespace NeuronMocap.Tool.Output;
 
 /// <summary>--json: writes every frame on the receive thread.</summary>

@@ -24,6 +24,8 @@ internal static class ReasonCode
         ConnectionReason.SkeletonVariantMismatch => "skeleton-variant-mismatch",
         ConnectionReason.NotDiscovered => "not-discovered",
         ConnectionReason.CalculationUnavailable => "calculation-unavailable",
+        ConnectionReason.CertificateRejected => "certificate-rejected",
+        ConnectionReason.TlsFailed => "tls-failed",
         ConnectionReason.NetworkError => "network-error",
         _ => "other",
     };

@@ -12,6 +12,7 @@ internal static class RelayLoop
     public static bool Exists(Source source, Destination destination) => (source, destination) switch
     {
         ({ Server: { } server }, TcpDestination tcp) => server.Port == tcp.EndPoint.Port && IsOwn(server.Host, tcp.EndPoint.Address),
+        ({ WebSocket: { } server }, WebSocketDestination web) => server.Port == web.EndPoint.Port && IsOwn(server.Host, web.EndPoint.Address),
         ({ UdpPort: { } port }, UdpDestination udp) => port == udp.Address.Port && IsOwn(udp.Address.Host, source.LocalAddress ?? IPAddress.Any),
         ({ UdpPort: { } port }, PoseDestination pose) => port == pose.Address.Port && IsOwn(pose.Address.Host, source.LocalAddress ?? IPAddress.Any),
         ({ VmcPort: { } port }, VmcDestination vmc) => port == vmc.Address.Port && IsOwn(vmc.Address.Host, source.LocalAddress ?? IPAddress.Any),

@@ -1,5 +1,6 @@
 using System.CommandLine;
 using System.CommandLine.Parsing;
+using NeuronMocap.AspNetCore;
 using NeuronMocap.Protocol;
 using NeuronMocap.Tool.Arguments;
 using NeuronMocap.Tool.Output;
@@ -16,8 +17,9 @@ internal sealed class RelayVerb : Verb
     private readonly Argument<Destination[]> _to = new("TO")
     {
         Description = $"Where packets go, once or more: {Destination.Forms}. tcp:// listens for clients on this computer; without an address, for every "
-            + "computer. udp:// sends to a computer. vmc:// sends poses of one avatar to a program that shows it; osc:// "
-            + "sends poses of all as OSC messages. AVATAR is a number or a name. A file is written until the end.",
+            + "computer. ws:// listens for browsers and other WebSocket clients; without an address, only for this computer. udp:// sends to a computer. "
+            + "vmc:// sends poses of one avatar to a program that shows it; osc:// sends poses of all as OSC messages. AVATAR is a number or a name. "
+            + "A file is written until the end.",
         Arity = ArgumentArity.OneOrMore,
         CustomParser = ParseDestinations,
     };
@@ -33,6 +35,21 @@ internal sealed class RelayVerb : Verb
 
     private readonly Option<bool> _quiet = CommonOptions.Quiet();
     private readonly Option<bool> _overwrite = CommonOptions.Overwrite("files");
+    private readonly Option<string?> _token = new("--token")
+    {
+        HelpName = "WORD",
+        Description = "Clients of ws:// must send this word. Without TLS the network can read it.",
+        Arity = ArgumentArity.ExactlyOne,
+    };
+
+    private readonly Option<string[]> _allowOrigin = new("--allow-origin")
+    {
+        HelpName = "ORIGIN",
+        Description = "Web site whose pages may connect to ws://, such as https://show.example; null for pages from files, * for all; may be repeated. Pages of this "
+            + "computer always may.",
+        Arity = ArgumentArity.OneOrMore,
+    };
+
     private readonly Option<TcpDestination?> _commands = new("--commands")
     {
         HelpName = "tcp://[ADDRESS]:PORT",
@@ -47,9 +64,10 @@ internal sealed class RelayVerb : Verb
     {
         Add(_source);
         Add(_to);
-        _to.CompletionSources.Add(TcpDestination.Scheme + ":", UdpDestination.Scheme, VmcDestination.Scheme, OscDestination.Scheme);
+        _to.CompletionSources.Add(
+            TcpDestination.Scheme + ":", WebSocketDestination.Scheme + ":", UdpDestination.Scheme, VmcDestination.Scheme, OscDestination.Scheme);
         AddOptions("Output", _json, _quiet);
-        AddOptions("Relay", _commands, _duration, _once, _overwrite);
+        AddOptions("Relay", _commands, _token, _allowOrigin, _duration, _once, _overwrite);
         AddOptions("With a destination vmc:// or osc://", _poses.All);
         AddOptions("Connection", _connection.All);
         AddOptions("With a file as the source", _playback.All);
@@ -63,6 +81,7 @@ internal sealed class RelayVerb : Verb
         new("relay udp://:7012 udp://192.168.1.31:7012 udp://192.168.1.32:7012", "datagrams to two computers"),
         new("relay studio tcp://:7001 take.nmrec take.bvh", "to other computers, to a recording and to a BVH file"),
         new("relay 192.168.1.20 vmc://127.0.0.1:39539/0 vmc://127.0.0.1:39540/1", "two performers to two avatar programs"),
+        new("relay 192.168.1.20 ws://:7100", "to pages in browsers on this computer"),
         new("relay take.nmrec tcp://127.0.0.1:7001 --loop", "a recording, for programs on this computer"),
         new("relay studio tcp://:7001 --json", "figures for another program, once a second"),
         new("relay demo tcp://:7001", "a moving skeleton for every computer of the network"),
@@ -78,7 +97,8 @@ internal sealed class RelayVerb : Verb
     {
         Source source = result.GetValue(_source)!;
         ConnectionOptions connection = _connection.Read(result, source) with { Once = result.GetValue(_once), Duration = result.GetValue(_duration) };
-        var options = new RelayOptions(source, connection, _poses.Apply(result, result.GetValue(_to)!))
+        Destination[] to = [.. _poses.Apply(result, result.GetValue(_to)!).Select(to => Guard(to, result))];
+        var options = new RelayOptions(source, connection, to)
         {
             Play = source.File is { } file ? _playback.Read(result, file) : null,
             Commands = result.GetValue(_commands),
@@ -103,6 +123,10 @@ internal sealed class RelayVerb : Verb
 
         return [.. destinations];
     }
+
+    private Destination Guard(Destination destination, ParseResult result) => destination is WebSocketDestination web
+        ? web with { Token = result.GetValue(_token), AllowedOrigins = result.GetValue(_allowOrigin) ?? [] }
+        : destination;
 
     private static TcpDestination? ParseCommands(ArgumentResult result)
     {
@@ -133,6 +157,24 @@ internal sealed class RelayVerb : Verb
         RejectDestinations(result, source);
     }
 
+    private void RejectGuards(CommandResult result, Destination[] all)
+    {
+        bool isWeb = Array.Exists(all, static to => to is WebSocketDestination);
+        foreach (Option option in (Option[])[_token, _allowOrigin])
+        {
+            if (IsGiven(result, option) && !isWeb)
+                result.AddError($"{option.Name} needs a destination ws://:PORT: it is for its clients.");
+        }
+
+        if (result.GetResult(_token)?.Tokens is [{ Value: var word }] && (word.Length == 0 || word.Any(char.IsControl)))
+            result.AddError("--token: the word is empty or has a line break.");
+        foreach (Token origin in result.GetResult(_allowOrigin)?.Tokens ?? [])
+        {
+            if (!AllowedOrigin.IsValid(origin.Value))
+                result.AddError($"--allow-origin: '{origin.Value}' is not an origin. Use a scheme and a host, such as https://show.example, or null, or *.");
+        }
+    }
+
     // Words that are no destination have their own error.
     private static Destination[] Find(IReadOnlyList<Token>? words) =>
         [.. (words ?? []).Select(static word => Destination.TryParse(word.Value, out Destination? found, out _) ? found : null).OfType<Destination>()];
@@ -149,8 +191,20 @@ internal sealed class RelayVerb : Verb
                 result.AddError($"{all[i].Text} and {same.Text} are the same destination.");
         }
 
-        if (Find(result.GetResult(_commands)?.Tokens) is [TcpDestination commands] && Array.Find(all, commands.IsSame) is { } taken)
+        Destination[] listening = [.. all.Where(static to => to.Listening is not null)];
+        for (int i = 0; i < listening.Length; i++)
+        {
+            foreach (Destination other in listening[(i + 1)..].Where(other => !listening[i].IsSame(other) && TcpDestination.Clashes(listening[i].Listening!, other.Listening!)))
+                result.AddError($"{listening[i].Text} and {other.Text} need different ports.");
+        }
+
+        if (Find(result.GetResult(_commands)?.Tokens) is [TcpDestination commands]
+            && Array.Find(listening, to => TcpDestination.Clashes(commands.EndPoint, to.Listening!)) is { } taken)
+        {
             result.AddError($"--commands and {taken.Text} need different ports.");
+        }
+
+        RejectGuards(result, all);
         _poses.Reject(result, all);
         if (IsGiven(result, _overwrite) && Array.TrueForAll(all, static to => to.File is null))
             result.AddError("--overwrite needs a file to write: nothing else can be replaced.");

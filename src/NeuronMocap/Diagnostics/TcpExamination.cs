@@ -40,7 +40,7 @@ internal sealed class TcpExamination(DiagnosisContext context)
         }
 
         TcpLink Open(IPAddress address) =>
-            new(_link with { Host = address.ToString(), ConnectTimeout = context.Share(context.Budget.Connecting) });
+            new(_link with { Host = address.ToString(), Tls = _link.Tls?.For(_link.Host), ConnectTimeout = context.Share(context.Budget.Connecting) });
     }
 
     private async Task<(IPAddress[] Addresses, Conclusion? Unknown)> ResolveAsync()

@@ -9,6 +9,7 @@ internal static class AddressText
 {
     private const string TcpScheme = "tcp://";
     private const string UdpScheme = "udp://";
+    private const string TlsScheme = "tls://";
 
     /// <summary>Parses the address of a server, with or without a leading tcp://.</summary>
     /// <exception cref="FormatException">The text is not an address; the message says why.</exception>
@@ -47,6 +48,13 @@ internal static class AddressText
             throw new FormatException($"'{host}' is not an address of this computer. Over UDP the server sends to this computer: use udp://:{number}.");
 
         return (number, address);
+    }
+
+    /// <summary>Gets the address as one of TCP. Null if the text does not begin with tls://.</summary>
+    public static string? WithoutTls(string text)
+    {
+        string word = text.Trim();
+        return HasScheme(word, TlsScheme) ? TcpScheme + word[TlsScheme.Length..] : null;
     }
 
     private static bool HasScheme(string word, string scheme) => word.StartsWith(scheme, StringComparison.OrdinalIgnoreCase);

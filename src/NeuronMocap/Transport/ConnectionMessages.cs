@@ -18,6 +18,10 @@ internal static class ConnectionMessages
         $"The name '{options.Host}' could not be resolved within {options.ConnectTimeout.TotalSeconds:0.#} s. Check the network, or give the IP "
         + "address of the computer that runs Axis Neuron.";
 
+    public static string TlsFailed(string target, Exception exception) =>
+        $"{target} does not speak TLS, or not as this computer demands ({exception.GetBaseException().Message.TrimEnd('.')}). Axis Neuron and Axis Studio do not encrypt: "
+        + "connect to them without Tls.";
+
     public static string NotYetAnswered(string status) =>
         $"{status} Nothing has answered yet: check Host and Port, that both computers are on the same network, and that no firewall blocks the port.";
 
@@ -68,6 +72,9 @@ internal static class ConnectionMessages
             ConnectionReason.Refused =>
                 $"{target} refused the connection: nothing listens there. In Axis Neuron's broadcasting settings switch BVH on, choose TCP, "
                 + "and check that the port is the same.",
+            ConnectionReason.TimedOut when options.Tls is not null =>
+                $"{target} did not answer with TLS within {options.ConnectTimeout.TotalSeconds:0.#} s. Check the address and the port, that no firewall blocks the "
+                + "port, and that this server encrypts its stream.",
             ConnectionReason.TimedOut =>
                 $"{target} did not answer within {options.ConnectTimeout.TotalSeconds:0.#} s. Check the address, that both computers are on the "
                 + "same network, and that no firewall blocks the port.",

@@ -71,6 +71,15 @@ public enum ConnectionReason
     /// </summary>
     CalculationUnavailable,
 
+    /// <summary>
+    /// The server's TLS certificate is not accepted: it has expired, has another name, or comes from somebody whom this computer does not trust. The message
+    /// says which.
+    /// </summary>
+    CertificateRejected,
+
+    /// <summary>The server does not speak TLS, or no version of it that this computer allows.</summary>
+    TlsFailed,
+
     /// <summary>Another error of the network or of a source; the message contains its text.</summary>
     NetworkError,
 }

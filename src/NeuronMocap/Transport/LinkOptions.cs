@@ -19,6 +19,9 @@ internal sealed record LinkOptions(string Host, int Port)
 
     public ReceiveThread ReceiveThread { get; init; }
 
+    // Null for a connection that is not encrypted.
+    public NeuronTlsOptions? Tls { get; init; }
+
     // Tests replace it, because the behaviour of a resolver without a network is not predictable.
     public Func<string, Task<IPAddress[]>> Resolve { get; init; } = LookUpAsync;
 

@@ -13,7 +13,7 @@ internal sealed class TcpLink(LinkOptions options) : Link
 
     private readonly object _lock = new();
     private readonly object _sendLock = new();
-    private readonly TcpReceiver _receiver = options.TakeReceiver(options.ReceiveThread);
+    private readonly TcpReceiver _receiver = options.Tls is { } tls ? new TlsReceiver(options, tls) : options.TakeReceiver(options.ReceiveThread);
     private Socket? _socket;
     private bool _closed;
 
@@ -60,7 +60,7 @@ internal sealed class TcpLink(LinkOptions options) : Link
             {
                 // Set only before the first command, because on Linux this timeout would also apply to connecting.
                 _socket!.SendTimeout = SendTimeoutMilliseconds;
-                return _socket.Send(bytes, SocketFlags.None, out _) == bytes.Length;
+                return _receiver.TrySend(_socket, bytes);
             }
         }
         catch (Exception exception) when (SocketErrors.IsExpected(exception))
@@ -152,7 +152,12 @@ internal sealed class TcpLink(LinkOptions options) : Link
             socket.Dispose();
             return Failed(SocketError.ConnectionRefused, new SocketException((int)SocketError.ConnectionRefused));
         }
-        catch (Exception exception) when (SocketErrors.IsExpected(exception))
+        catch (NeuronConnectionException exception) when (!timeoutSource.IsCancellationRequested)
+        {
+            socket?.Dispose();
+            return new LinkEnd(exception.Reason, exception.Message);
+        }
+        catch (Exception exception) when (SocketErrors.IsExpected(exception) || exception is NeuronConnectionException)
         {
             socket?.Dispose();
             return timeoutSource.IsCancellationRequested
@@ -168,6 +173,7 @@ internal sealed class TcpLink(LinkOptions options) : Link
     // Of several addresses, prefers the one whose answer says the most about the server.
     internal static int Weight(ConnectionReason reason) => reason switch
     {
+        ConnectionReason.CertificateRejected or ConnectionReason.TlsFailed => 4,
         ConnectionReason.Refused => 3,
         ConnectionReason.TimedOut => 2,
         ConnectionReason.Unreachable or ConnectionReason.AddressUnavailable => 0,

@@ -15,6 +15,9 @@ internal abstract class TcpReceiver
     // Completes when the server closes the connection; throws when the connection fails or the socket is closed here.
     public abstract Task ReceiveAsync(Socket socket, PacketAssembler assembler);
 
+    // Sends a whole request on any thread, while connected. Returns false if the server does not take it in time.
+    public virtual bool TrySend(Socket socket, ReadOnlySpan<byte> bytes) => socket.Send(bytes, SocketFlags.None, out _) == bytes.Length;
+
     // Called when the link is closed, possibly several times. Code that awaits the receiver may continue inside this call.
     public abstract void Close();
 }

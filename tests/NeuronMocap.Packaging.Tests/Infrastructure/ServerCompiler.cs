@@ -4,7 +4,7 @@ using NeuronMocap.Tests.Infrastructure;
 
 namespace NeuronMocap.Packaging.Tests.Infrastructure;
 
-/// <summary>Compiles a program as an ASP.NET Core project with references to NeuronMocap and NeuronMocap.Server does.</summary>
+/// <summary>Compiles a program as an ASP.NET Core project with references to NeuronMocap, NeuronMocap.Server and NeuronMocap.AspNetCore does.</summary>
 internal static class ServerCompiler
 {
     // The implicit usings of such a project that the programs need.
@@ -13,12 +13,14 @@ internal static class ServerCompiler
         global using System.Threading;
         global using System.Threading.Tasks;
         global using Microsoft.AspNetCore.Builder;
+        global using Microsoft.AspNetCore.Hosting;
         global using Microsoft.AspNetCore.Http;
         """;
 
     // The frameworks' assemblies include those of this project, and thus NeuronMocap.
     private static readonly MetadataReference[] References = [.. ((string)AppContext.GetData("TRUSTED_PLATFORM_ASSEMBLIES")!)
         .Split(Path.PathSeparator)
+        .Append(Repository.PathOf("src", "NeuronMocap.AspNetCore", "bin", ThePackage.Configuration, "net8.0", "NeuronMocap.AspNetCore.dll"))
         .Append(Repository.PathOf("src", "NeuronMocap.Server", "bin", ThePackage.Configuration, "netstandard2.1", "NeuronMocap.Server.dll"))
         .Select(static file => MetadataReference.CreateFromFile(file))];
 

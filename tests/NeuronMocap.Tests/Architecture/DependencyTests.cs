@@ -16,6 +16,7 @@ public sealed class DependencyTests
         ["Protocol/Text"] = ["Protocol"],
         ["Transport"] = ["Protocol", "Protocol/Text"],
         ["Frames"] = ["Protocol", "Skeleton"],
+        ["Json"] = ["Frames", "Protocol", "Skeleton"],
         ["Delivery"] = ["Frames", "Protocol", "Skeleton"],
         ["Delivery/OnContext"] = ["Delivery", "Frames", "Protocol", "Skeleton", "Transport"],
         ["Binding"] = ["", "Delivery", "Delivery/OnContext", "Protocol", "Transport"],

@@ -8,6 +8,10 @@ public sealed class SourceAddressTests : AddressContract
     [Theory]
     [InlineData("studio")]
     [InlineData("tcp://[fe80::1%2]:7003")]
+    [InlineData("tls://studio:7443")]
+    [InlineData("tls://[::1]:7443")]
+    [InlineData("ws://studio:7100")]
+    [InlineData("wss://studio/motion")]
     [InlineData("udp://:7012")]
     [InlineData("udp://192.168.1.5:7012")]
     [InlineData("udp://[::1]:7012")]
@@ -27,8 +31,22 @@ public sealed class SourceAddressTests : AddressContract
     public void What_is_no_source_is_told_every_form_of_one(string text)
     {
         string message = Assert.Throws<FormatException>(() => Read(text)).Message;
-        Assert.Equal($"'{text}' is not a source. Use HOST, HOST:PORT, tcp://HOST:PORT, udp://:PORT, vmc://:PORT, a file, or demo.", message);
+        Assert.Equal($"'{text}' is not a source. Use HOST, HOST:PORT, tcp://HOST:PORT, tls://HOST:PORT, ws://HOST:PORT, udp://:PORT, vmc://:PORT, a file, or demo.", message);
     }
+
+    [Theory]
+    [InlineData("ws://")]
+    [InlineData("ws://:7100")]
+    [InlineData("ws://studio:70000")]
+    [InlineData("ws://user@studio:7100")]
+    public void What_is_no_WebSocket_is_refused(string text)
+    {
+        string message = Assert.Throws<FormatException>(() => Read(text)).Message;
+        Assert.Equal($"'{text}' is not the address of a WebSocket. Use ws://HOST:PORT.", message);
+    }
+
+    [Fact]
+    public void A_token_is_not_shown() => Assert.Equal("ws://studio:7100", Read("ws://studio:7100?token=secret").ToString());
 
     // The library chooses any free port. Here nothing could send to it.
     [Theory]

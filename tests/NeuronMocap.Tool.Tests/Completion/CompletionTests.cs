@@ -19,7 +19,8 @@ public sealed class CompletionTests
     [InlineData("neuron-mocap completion z", "zsh")]
     [InlineData("neuron-mocap watch /", "")]
     [InlineData("neuron-mocap watch -", "--allow-sender --calculation-port --command-port --duration --export --export-avatar --frames --help --json "
-        + "--local-address --loop --once --order --overwrite --quiet --rate --record --record-compress --record-files --record-size --record-time --speed -h")]
+        + "--local-address --loop --once --order --overwrite --quiet --rate --record --record-compress --record-files --record-size --record-time --speed "
+        + "--tls-name --trust -h")]
     [InlineData("neuron-mocap watch --frames x --nothing-of-this", "")]
     public async Task The_program_completes_an_unfinished_command_line(string line, string words)
     {

@@ -3,6 +3,7 @@ using System.Net;
 using System.Numerics;
 using System.Text;
 using System.Text.Json;
+using NeuronMocap.Json;
 using NeuronMocap.Skeleton;
 using NeuronMocap.Tests.Infrastructure;
 using NeuronMocap.Tool.Output;

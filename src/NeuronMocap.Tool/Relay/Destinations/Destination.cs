@@ -1,4 +1,5 @@
 using System.Diagnostics.CodeAnalysis;
+using System.Net;
 using NeuronMocap.Tool.Files;
 
 namespace NeuronMocap.Tool.Relay.Destinations;
@@ -11,6 +12,7 @@ internal abstract record Destination(string Text)
     private static readonly (string Form, Func<string, bool> IsMeant, Func<string, Destination> Parse)[] Schemes =
     [
         ("tcp://[ADDRESS]:PORT", StartsWith(TcpDestination.Scheme), TcpDestination.Parse),
+        ("ws://[ADDRESS]:PORT", StartsWith(WebSocketDestination.Scheme), WebSocketDestination.Parse),
         ("udp://HOST:PORT", StartsWith(UdpDestination.Scheme), UdpDestination.Parse),
         ("vmc://HOST:PORT[/AVATAR]", StartsWith(VmcDestination.Scheme), VmcDestination.Parse),
         ("osc://HOST:PORT[/AVATAR]", StartsWith(OscDestination.Scheme), OscDestination.Parse),
@@ -23,6 +25,9 @@ internal abstract record Destination(string Text)
 
     /// <summary>The file to write; null for other destinations.</summary>
     public virtual string? File => null;
+
+    /// <summary>Where this program listens for clients; null for other destinations.</summary>
+    public virtual IPEndPoint? Listening => null;
 
     /// <summary>Parses a destination.</summary>
     /// <param name="text">An argument of the command line.</param>

@@ -12,20 +12,31 @@ internal sealed record TcpDestination(string Text, IPEndPoint EndPoint) : Destin
 {
     public const string Scheme = "tcp://";
 
-    public static TcpDestination Parse(string text)
+    public override IPEndPoint Listening => EndPoint;
+
+    public static TcpDestination Parse(string text) => new(text, ParseListening(text, Scheme, IPAddress.Any));
+
+    /// <summary>Parses SCHEME[ADDRESS]:PORT.</summary>
+    /// <param name="text">The argument of the command line.</param>
+    /// <param name="scheme">The scheme with which it begins.</param>
+    /// <param name="usual">The address to listen on if the argument has none.</param>
+    /// <exception cref="FormatException">The text has no port, or its address is not one.</exception>
+    public static IPEndPoint ParseListening(string text, string scheme, IPAddress usual)
     {
-        string rest = text[Scheme.Length..];
+        string rest = text[scheme.Length..].TrimEnd('/');
         int colon = rest.LastIndexOf(':');
         bool isPort = ushort.TryParse(rest.AsSpan(colon + 1), NumberStyles.None, CultureInfo.InvariantCulture, out ushort port);
         string host = colon < 0 ? rest : rest[..colon];
         if (colon < 0 || !isPort)
-            throw new FormatException($"'{text}' has no port to listen on. Use tcp://:PORT, with a port from 0 to {IPEndPoint.MaxPort}; 0 takes any free port.");
+            throw new FormatException($"'{text}' has no port to listen on. Use {scheme}:PORT, with a port from 0 to {IPEndPoint.MaxPort}; 0 takes any free port.");
         if (host.Length == 0)
-            return new TcpDestination(text, new IPEndPoint(IPAddress.Any, port));
+            return new IPEndPoint(usual, port);
 
         return IPAddress.TryParse(host, out IPAddress? address)
-            ? new TcpDestination(text, new IPEndPoint(address, port))
-            : throw new FormatException($"'{host}' in '{text}' is not an address. A destination tcp:// listens on an address of this computer; without one, on all.");
+            ? new IPEndPoint(address, port)
+            : throw new FormatException(
+                $"'{host}' in '{text}' is not an address. A destination {scheme} listens on an address of this computer; without one, on "
+                + (usual.Equals(IPAddress.Any) ? "all." : $"{usual}."));
     }
 
     public override bool IsSame(Destination other) => other is TcpDestination tcp && Clashes(EndPoint, tcp.EndPoint);

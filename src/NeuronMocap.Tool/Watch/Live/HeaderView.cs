@@ -85,7 +85,10 @@ internal static class HeaderView
         if (state.Connection.VmcPort is { } poses)
             return [$"VMC port {poses}"];
 
-        return [state.Connection.Server is { } server ? $"TCP {server}" : $"TCP {state.Status.RemoteEndPoint?.ToString() ?? "loopback"} (demo)"];
+        if (state.Connection.WebSocket is not null)
+            return [state.Connection.Source];
+
+        return [state.Connection.Server is { } server ? $"{(state.Connection.Tls is null ? "TCP" : "TLS")} {server}" : $"TCP {state.Status.RemoteEndPoint?.ToString() ?? "loopback"} (demo)"];
     }
 
     private static IEnumerable<Piece> Recording(LiveState state)

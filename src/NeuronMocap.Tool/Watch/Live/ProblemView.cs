@@ -105,6 +105,8 @@ internal static class ProblemView
         (_, ConnectionReason.Reset or ConnectionReason.ClosedByPeer) => "CONNECTION CLOSED",
         (_, ConnectionReason.PortInUse) => "PORT IN USE",
         (_, ConnectionReason.AddressUnavailable or ConnectionReason.AccessDenied) => "NOT ALLOWED",
+        (_, ConnectionReason.CertificateRejected) => "CERTIFICATE REJECTED",
+        (_, ConnectionReason.TlsFailed) => "NO TLS",
         (_, ConnectionReason.EndOfRecording) => "END OF THE RECORDING",
         (ConnectionState.Stopped, _) => "STOPPED",
         _ => "NO CONNECTION",

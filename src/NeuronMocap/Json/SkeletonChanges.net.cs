@@ -1,6 +1,6 @@
 using NeuronMocap.Skeleton;
 
-namespace NeuronMocap.Tool.Output;
+namespace NeuronMocap.Json;
 
 /// <summary>Remembers the last written skeleton of each avatar, so that only changes are written again.</summary>
 internal sealed class SkeletonChanges

@@ -3,7 +3,7 @@ using System.Buffers.Text;
 using System.Net;
 using System.Text.Json;
 
-namespace NeuronMocap.Tool.Output;
+namespace NeuronMocap.Json;
 
 /// <summary>Writes values of --json for which the writer has no method. Numbers and timecodes allocate nothing.</summary>
 internal static class JsonValues

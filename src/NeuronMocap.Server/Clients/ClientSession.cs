@@ -1,20 +1,19 @@
 using System.Net.Sockets;
 using NeuronMocap.Protocol;
 using NeuronMocap.Server.Broadcasting;
-using NeuronMocap.Transport;
 
 namespace NeuronMocap.Server.Clients;
 
-/// <summary>The connection of a TCP client. Clients need not send anything (protocol.md section 4.1).</summary>
+/// <summary>The connection of a client. Clients need not send anything (protocol.md section 4.1).</summary>
 /// <remarks>
 /// Commands of clients are answered between whole packets (section 7), or passed to the server of a reader. Where the packets of a frame are sent one
 /// by one, that can be in the middle of a frame. Everything that clients send is read. Closing a socket with unread bytes would reset the connection
 /// and discard the client's last frames.
 /// </remarks>
-internal sealed partial class TcpClientSession : SocketRecipient
+internal sealed partial class ClientSession : NetworkRecipient
 {
     // Limits the data that the system buffers for a client that does not read. The default is megabytes, which hold a minute of old frames.
-    private const int SendBufferSize = 256 * 1024;
+    public const int SendBufferSize = 256 * 1024;
 
     // The timeout of a write counts from its start, even while the client reads. Long writes are therefore avoided.
     private const int MaxWrite = 128 * 1024;
@@ -29,15 +28,15 @@ internal sealed partial class TcpClientSession : SocketRecipient
     // Milliseconds.
     private const int PacketPause = 1;
 
+    private readonly ClientTransport _transport;
     private readonly int? _fragment;
     private readonly bool _isPacketwise;
     private readonly TimeSpan _closeTimeout;
     private readonly DataCommandReplies? _replies;
     private readonly Queue<Milestone> _marks = new();
 
-    // Whether the thread that publishes may send while this session's thread waits for a frame. The socket then never blocks.
+    // Whether the thread that publishes may send while this session's thread waits for a frame.
     private readonly bool _isDirect;
-    private readonly int _sendTimeout;
 
     private byte[] _buffer;
     private long _sent;
@@ -46,52 +45,29 @@ internal sealed partial class TcpClientSession : SocketRecipient
     private Task _listened = Task.CompletedTask;
     private volatile bool _isFinishing;
 
-    public TcpClientSession(
-        Socket socket,
+    public ClientSession(
+        ClientTransport transport,
         BroadcastStream stream,
         FrameFeed feed,
         BroadcasterOptions options,
         Action<Recipient, Exception?> ended,
         FaultReport report)
-        : base(socket, socket.RemoteEndPoint, stream, feed, ended, report)
+        : base(transport.RemoteEndPoint, stream, feed, ended, report)
     {
+        _transport = transport;
         _replies = stream.Replies;
         Commands = _replies is null ? null : new DataCommandQueue(_replies);
-        socket.NoDelay = true;
-        socket.SendBufferSize = SendBufferSize;
-
-        // A client that vanished reads nothing more. The wait for buffer space ends only when about a third of the buffer is free.
-        _sendTimeout = (int)options.ClientTimeout.TotalMilliseconds;
-        socket.SendTimeout = _sendTimeout;
-        // While nothing is sent, only a keep-alive probe can detect that the client is gone.
-        TcpKeepAlive.Enable(socket);
         _fragment = options.Fragment;
         _isPacketwise = stream.IsPacketwise && _fragment is null;
         _closeTimeout = options.CloseTimeout;
         _buffer = new byte[ReadSize + (_fragment ?? 0)];
-        _isDirect = stream.IsDirect && _fragment is null;
+        _isDirect = stream.IsDirect && _fragment is null && transport.TryStopWaiting();
         _rest = _isDirect ? new byte[Plan.MaxFrameSize] : [];
-        if (!_isDirect)
-            return;
-
-        socket.Blocking = false;
-        feed.Attach(this);
+        if (_isDirect)
+            feed.Attach(this);
     }
 
-    // Closing alone resets a connection in the middle of a write. After a shutdown the client reads the sent bytes and then sees the end.
-    public override void Dispose()
-    {
-        try
-        {
-            Socket.Shutdown(SocketShutdown.Send);
-        }
-        catch (Exception exception) when (exception is SocketException or ObjectDisposedException)
-        {
-            // The client or the server already closed it.
-        }
-
-        base.Dispose();
-    }
+    public override void Dispose() => _transport.Dispose();
 
     // Thread-safe. Called when a value has changed.
     public void Push(DataCommandId id, int avatar)
@@ -129,7 +105,7 @@ internal sealed partial class TcpClientSession : SocketRecipient
     protected override void Finish()
     {
         _isFinishing = true;
-        Socket.Shutdown(SocketShutdown.Send);
+        _transport.EndSending();
         _listened.Wait(_closeTimeout);
     }
 
@@ -156,23 +132,15 @@ internal sealed partial class TcpClientSession : SocketRecipient
     // Waits until at least a part is sent. Returns false if the connection must be closed.
     private bool TrySend(byte[] bytes, int offset, int count, out int sent)
     {
-        SocketError error;
-        do
-        {
-            sent = Socket.Send(bytes, offset, count, SocketFlags.None, out error);
-        }
-        while (error == SocketError.WouldBlock && _isDirect && WaitForRoom());
-
+        SocketError error = _transport.TrySend(bytes, offset, count, out sent);
         if (error is SocketError.TimedOut or SocketError.WouldBlock)
-            DropUnsent();
+            _transport.DropUnsent();
         if (error != SocketError.Success)
             return false;
 
         CountSent(sent);
         return true;
     }
-
-    private bool WaitForRoom() => Socket.Poll(_sendTimeout < 0 ? Timeout.Infinite : _sendTimeout * 1000, SelectMode.SelectWrite);
 
     private void CountSent(int bytes)
     {
@@ -241,9 +209,6 @@ internal sealed partial class TcpClientSession : SocketRecipient
         return filled;
     }
 
-    // Nobody will read the data queued for a client that is disconnected, but the system would keep trying. Closing now resets the connection.
-    private void DropUnsent() => Socket.LingerState = new LingerOption(enable: true, seconds: 0);
-
     // Ends when the client closes its sending side or the connection is gone. A closed sending side is not a reason to stop sending to the client.
     private async Task ListenAsync()
     {
@@ -251,7 +216,7 @@ internal sealed partial class TcpClientSession : SocketRecipient
         try
         {
             int read;
-            while ((read = await Socket.ReceiveAsync(scanner.Room, SocketFlags.None).ConfigureAwait(false)) > 0)
+            while ((read = await _transport.ReceiveAsync(scanner.Room).ConfigureAwait(false)) > 0)
             {
                 scanner.Advance(read);
                 bool hasRequests = false;

@@ -4,7 +4,7 @@ using NeuronMocap.Server.Broadcasting;
 namespace NeuronMocap.Server.Clients;
 
 // Sending on the thread that publishes, while this session's thread waits in ReadFeed. FrameLog orders both threads.
-internal sealed partial class TcpClientSession : IDirectRecipient
+internal sealed partial class ClientSession : IDirectRecipient
 {
     // The rest of a unit that Take has sent in part.
     private readonly byte[] _rest;
@@ -18,7 +18,7 @@ internal sealed partial class TcpClientSession : IDirectRecipient
         int sent;
         try
         {
-            sent = Socket.Send(units.Bytes, 0, units.EndOf(units.Count - 1), SocketFlags.None, out SocketError error);
+            SocketError error = _transport.TrySendNow(units.Bytes, 0, units.EndOf(units.Count - 1), out sent);
             if (sent == 0 || error is not (SocketError.Success or SocketError.WouldBlock))
                 return 0;
         }

@@ -1,6 +1,6 @@
 using System.Diagnostics;
 
-namespace NeuronMocap.Tool.Output;
+namespace NeuronMocap.Json;
 
 /// <summary>The times in the lines of --json: seconds since the start on a steady clock, and the same instant in UTC.</summary>
 /// <param name="start">The start, in ticks of <see cref="Stopwatch"/>.</param>

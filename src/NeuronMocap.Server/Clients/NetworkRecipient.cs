@@ -4,11 +4,11 @@ using NeuronMocap.Server.Broadcasting;
 
 namespace NeuronMocap.Server.Clients;
 
-/// <summary>A recipient on the network: its socket, and the thread that writes the feed to the socket.</summary>
+/// <summary>A recipient on the network, and the thread that writes the feed to it.</summary>
 /// <remarks>
-/// Writes block. A recipient that does not read blocks only its own thread. Closing the socket ends the thread at any point.
+/// Writes block. A recipient that does not read blocks only its own thread. Disposing it ends the thread at any point.
 /// </remarks>
-internal abstract class SocketRecipient : Recipient
+internal abstract class NetworkRecipient : Recipient
 {
     // A large buffer needs fewer system calls when a client is behind. It also limits the bytes in flight when a client vanishes.
     private const int BufferSize = 128 * 1024;
@@ -16,22 +16,17 @@ internal abstract class SocketRecipient : Recipient
     private readonly Action<Recipient, Exception?> _ended;
 
     // ended is called once, on the recipient's thread, with the exception of a source if there was one.
-    protected SocketRecipient(Socket socket, EndPoint? remoteEndPoint, BroadcastStream stream, FrameFeed feed, Action<Recipient, Exception?> ended, FaultReport report)
+    protected NetworkRecipient(EndPoint? remoteEndPoint, BroadcastStream stream, FrameFeed feed, Action<Recipient, Exception?> ended, FaultReport report)
         : base(stream, feed, remoteEndPoint)
     {
-        Socket = socket;
         _ended = ended;
         Worker = new Worker("NeuronMocap recipient", Run, report);
     }
 
     public Worker Worker { get; }
 
-    protected Socket Socket { get; }
-
     // Room for at least one frame.
     protected int ReadSize => Math.Max(BufferSize, Plan.MaxFrameSize);
-
-    public override void Dispose() => Socket.Dispose();
 
     public override void Stop()
     {
@@ -51,7 +46,7 @@ internal abstract class SocketRecipient : Recipient
     // Sends until the feed ends or the network fails. Returns true when everything was sent.
     protected abstract bool SendAll();
 
-    // Called when everything was sent, before the socket is closed.
+    // Called when everything was sent, before the recipient is disposed.
     protected virtual void Finish()
     {
     }
