@@ -59,7 +59,7 @@ public abstract class PoseSender : IDisposable, IAsyncDisposable
         lock (_lock)
         {
             if (_isDisposed)
-                throw new ObjectDisposedException(GetType().Name, "The sender has been disposed.");
+                throw new ObjectDisposedException(nameof(PoseSender), "The sender has been disposed.");
             if (_queue is not null)
                 throw new InvalidOperationException("The sender has already been started.");
 

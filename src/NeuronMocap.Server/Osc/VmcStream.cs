@@ -74,6 +74,11 @@ internal sealed class VmcStream(Socket socket, VmcDecoder decoder, Action<long> 
                 decoder.Receive(_datagram.AsSpan(0, length));
                 addRejected(decoder.Rejected - before);
             }
+            else if (error != SocketError.ConnectionReset)
+            {
+                // Windows reports a reset when an earlier datagram was refused. The reader opens the port again after any other error.
+                throw new SocketException((int)error);
+            }
 
             return !_isClosed;
         }

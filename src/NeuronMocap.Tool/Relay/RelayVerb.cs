@@ -80,7 +80,7 @@ internal sealed class RelayVerb : Verb
         new("relay 192.168.1.20 tcp://:7001 --commands tcp://:8013", "the same, with the command channel"),
         new("relay udp://:7012 udp://192.168.1.31:7012 udp://192.168.1.32:7012", "datagrams to two computers"),
         new("relay studio tcp://:7001 take.nmrec take.bvh", "to other computers, to a recording and to a BVH file"),
-        new("relay 192.168.1.20 vmc://127.0.0.1:39539/0 vmc://127.0.0.1:39540/1", "two performers to two avatar programs"),
+        new("relay 192.168.1.20 vmc://127.0.0.1:39539/0 vmc://127.0.0.1:39541/1", "two performers to two avatar programs"),
         new("relay 192.168.1.20 ws://:7100", "to pages in browsers on this computer"),
         new("relay take.nmrec tcp://127.0.0.1:7001 --loop", "a recording, for programs on this computer"),
         new("relay studio tcp://:7001 --json", "figures for another program, once a second"),

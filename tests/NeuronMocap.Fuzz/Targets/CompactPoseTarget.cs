@@ -3,12 +3,15 @@ using NeuronMocap.Skeleton;
 
 namespace NeuronMocap.Fuzz.Targets;
 
-/// <summary>Decodes the input, and parts of it, as compact poses. A decoded pose is finite, and is the same when it is encoded and decoded again.</summary>
+/// <summary>Decodes the input, parts of it, and its values behind a valid header, as compact poses. A decoded pose is finite, and is the same when it is encoded and decoded again.</summary>
 internal sealed class CompactPoseTarget
 {
+    private const int ValuesOffset = 20;
+
     private readonly BoneTransform[] _pose = new BoneTransform[BoneHierarchy.BoneCount];
     private readonly BoneTransform[] _again = new BoneTransform[BoneHierarchy.BoneCount];
     private readonly byte[] _bytes = new byte[CompactPose.MaxSize];
+    private readonly byte[] _mended = new byte[CompactPose.MaxSize];
 
     public void Run(FuzzInput input)
     {
@@ -16,6 +19,20 @@ internal sealed class CompactPoseTarget
         int start = input.Random.Below(input.Bytes.Length + 1);
         Read(input, input.Bytes[start..]);
         Read(input, input.Bytes[..start]);
+        ReadMended(input);
+    }
+
+    // Most changed headers are refused, whatever follows.
+    private void ReadMended(FuzzInput input)
+    {
+        SkeletonBody.GetDefault().CopyRestPose(_pose);
+        CompactPose.TryEncode(default, _pose, _mended, out int size);
+        if (input.Bytes.Length <= ValuesOffset)
+            return;
+
+        ReadOnlySpan<byte> values = input.Bytes[ValuesOffset..];
+        values[..Math.Min(values.Length, size - ValuesOffset)].CopyTo(_mended.AsSpan(ValuesOffset));
+        Read(input, _mended.AsSpan(0, size));
     }
 
     private void Read(FuzzInput input, ReadOnlySpan<byte> bytes)

@@ -9,14 +9,19 @@ internal static class VmcTarget
 {
     private const int PacketSize = 1480;
 
+    // Most datagrams hold bones without the end of their frame.
+    private static ReadOnlySpan<byte> EndOfFrame => "/VMC/Ext/T\0\0,f\0\0\0\0\0\0"u8;
+
     public static void Run(FuzzInput input)
     {
         var decoder = new VmcDecoder(default);
         decoder.Receive(input.Bytes);
+        decoder.Receive(EndOfFrame);
         Read(input, decoder);
         int cut = input.Random.Below(input.Bytes.Length + 1);
         decoder.Receive(input.Bytes[..cut]);
         decoder.Receive(input.Bytes[cut..]);
+        decoder.Receive(EndOfFrame);
         Read(input, decoder);
         input.Digest.Add(decoder.Rejected);
     }

@@ -25,5 +25,9 @@ internal static class DestinationHost
         {
             throw new RelayException($"{text}: the host name {address.Host} has no address ({exception.SocketErrorCode}).");
         }
+        catch (ArgumentException)
+        {
+            throw new RelayException($"{text}: no computer can have this name. It is too long.");
+        }
     }
 }
