@@ -168,7 +168,7 @@ public sealed partial class NeuronReader : IDisposable, IAsyncDisposable
         }
 
         _pipeline = new ReceivePipeline(
-            _format, recognizer, _activity, _status, _senders, _metrics, _supervisor.TrySend, _recordings, OnCallbackFailed, player?.BackPressure, _receiveLock);
+            _format, recognizer, _activity, _status, _senders, _metrics, _supervisor.TrySend, _recordings, OnCallbackFailed, player is null ? null : player.MayWait, _receiveLock);
         if (_combinedStatus is not null)
             _calculation = CreateCalculationConnection(_options.CalculationLink!, _combinedStatus);
 

@@ -44,6 +44,7 @@ public sealed class FrameQueue : IPacketConsumer, ICountedConsumer, IDisposable
     private long _dropped;
     private FrameSignal? _signal;
     private int _pumping;
+    private int _awaiting;
     private volatile bool _isComplete;
     private volatile bool _disposed;
 
@@ -95,7 +96,7 @@ public sealed class FrameQueue : IPacketConsumer, ICountedConsumer, IDisposable
 
     /// <summary>
     /// Number of frames that were taken out. Together with <see cref="Dropped"/>, <see cref="Skipped"/> and <see cref="Count"/>, it equals the number of
-    /// frames that arrived since the queue was opened. Thread-safe.
+    /// frames that arrived since the queue was opened. A frame that is being added, or waits for room, is not in it yet. Thread-safe.
     /// </summary>
     public long Delivered => _ring?.Released ?? _droppingRing!.Taken;
 
@@ -185,6 +186,7 @@ public sealed class FrameQueue : IPacketConsumer, ICountedConsumer, IDisposable
     /// <summary>Waits until a frame is in the queue. Call <c>Pump</c> then, on any thread.</summary>
     /// <param name="cancellationToken">Ends the wait with an <see cref="OperationCanceledException"/>; the queue continues.</param>
     /// <returns>False if no frame will follow: the reader has stopped and the queue is empty, or the queue was disposed.</returns>
+    /// <exception cref="InvalidOperationException">Another wait for this queue has not ended; it continues.</exception>
     /// <remarks>Only one wait at a time. It costs nothing while frames wait. The code after it runs on a pool thread, or on the caller's context.</remarks>
     public ValueTask<bool> WaitAsync(CancellationToken cancellationToken = default) =>
         Count > 0 && !_disposed ? new ValueTask<bool>(true) : WaitForFrameAsync(cancellationToken);
@@ -234,24 +236,34 @@ public sealed class FrameQueue : IPacketConsumer, ICountedConsumer, IDisposable
 
     private async ValueTask<bool> WaitForFrameAsync(CancellationToken cancellationToken)
     {
-        TimeSpan limit = Timeout.InfiniteTimeSpan;
-        if (_signal is null)
+        if (Interlocked.Exchange(ref _awaiting, 1) != 0)
+            throw new InvalidOperationException("Only one wait at a time is possible for a queue. Open a queue for each consumer.");
+
+        try
         {
-            PrepareWaiting();
-            limit = FirstWait;
+            TimeSpan limit = Timeout.InfiniteTimeSpan;
+            if (_signal is null)
+            {
+                PrepareWaiting();
+                limit = FirstWait;
+            }
+
+            while (true)
+            {
+                // In this order: the last frame arrives before the end.
+                bool hasEnded = _isComplete || _disposed;
+                if (Count > 0 && !_disposed)
+                    return true;
+                if (hasEnded)
+                    return false;
+
+                await _signal!.WaitAsync(limit, cancellationToken).ConfigureAwait(false);
+                limit = Timeout.InfiniteTimeSpan;
+            }
         }
-
-        while (true)
+        finally
         {
-            // In this order: the last frame arrives before the end.
-            bool hasEnded = _isComplete || _disposed;
-            if (Count > 0 && !_disposed)
-                return true;
-            if (hasEnded)
-                return false;
-
-            await _signal!.WaitAsync(limit, cancellationToken).ConfigureAwait(false);
-            limit = Timeout.InfiniteTimeSpan;
+            Volatile.Write(ref _awaiting, 0);
         }
     }
 

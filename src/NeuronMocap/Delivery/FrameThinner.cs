@@ -70,13 +70,20 @@ internal sealed class FrameThinner(FrameThinning thinning)
             if (index is not { } number)
                 return own.Decide(packet.Timestamp);
 
+            ThinningSchedule? partner = null;
             foreach (ThinningSchedule other in _kinds)
             {
-                if (other != own && !own.IsAlone && other.FindVerdict(number) is { } verdict)
+                if (other == own)
+                    continue;
+
+                // A kind that is alone follows again as soon as it shares a frame.
+                if (other.FindVerdict(number) is { } verdict && (verdict || !own.IsAlone))
                     return own.Follow(other, number, packet.Timestamp, verdict);
+                if (!own.IsAlone && !other.IsAlone && other.HasVerdicts)
+                    partner = other;
             }
 
-            return own.Decide(number, packet.Timestamp);
+            return own.Decide(number, packet.Timestamp, partner);
         }
 
         private static ThinningSchedule[] CreateAll(FrameThinning thinning)

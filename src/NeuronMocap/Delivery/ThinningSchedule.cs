@@ -14,36 +14,30 @@ internal sealed class ThinningSchedule(FrameThinning thinning)
     private const uint LargestStep = 10_000;
     private const int RestartRun = 3;
 
-    // Weight of a new interval in the mean: about two seconds at 120 Hz. Bursts of ten frames then change the mean by less than Tolerance.
-    private const int MeanLength = 256;
-
     // Within this part of a whole fraction, the ratio of the rates counts as the fraction. The measured rate always varies a little; without the tolerance
     // 120 Hz thinned to 60 Hz would sometimes take two frames in a row.
     private const double Tolerance = 0.02;
 
-    // A kind that gets none of its frames for this many intervals does not share its indices with the other kind.
+    // A kind that gets none of its frames for this many intervals, although none was lost, does not share its indices with the other kind.
     private const double Starved = 3;
 
     // The carry is a sum of fractions that may not add up to 1 exactly.
     private const double Rounding = 1e-6;
 
-    // A longer interval is a pause or a slow stream: the carry then follows the time itself.
-    private static readonly long LongestInterval = Stopwatch.Frequency;
-
     private readonly double _intervalWanted = thinning.MaxRate > 0 ? Stopwatch.Frequency / thinning.MaxRate : 0;
+    private readonly MeanInterval _mean = new();
+    private readonly IndexGrid _grid = new();
     private uint? _newest;
     private ulong _decided; // Bit n: the frame n before the newest has a verdict.
     private ulong _taken;
     private int _lateRun;
-    private long _lastTimestamp;
-    private bool _hasLast;
-    private int _intervals;
-    private double _meanTicks;
-    private double _meanSteps;
     private double _carry = 1;
+    private double _starvation;
 
     // Whether the verdicts of other kinds do not suit this kind: a server can send it at another rate.
     public bool IsAlone { get; private set; }
+
+    public bool HasVerdicts => _newest is not null;
 
     // The verdict on a recent index; null if there is none.
     public bool? FindVerdict(uint index)
@@ -59,43 +53,88 @@ internal sealed class ThinningSchedule(FrameThinning thinning)
     public bool Decide(long timestamp)
     {
         _newest = null;
-        return Advance(1, timestamp);
+        return Advance(1, 1, timestamp);
     }
 
-    public bool Decide(uint index, long timestamp)
+    // other: another kind of the same avatar, or null. Its verdicts between the last frame of this kind and this one count.
+    public bool Decide(uint index, long timestamp, ThinningSchedule? other = null)
     {
         if (IsLate(index))
-            return FindVerdict(index) ?? false;
+        {
+            bool isLateTaken = FindVerdict(index) ?? false;
+            NoteLate(index, isLateTaken);
+            return isLateTaken;
+        }
 
-        bool isTaken = Advance(MoveTo(index), timestamp);
+        uint? last = _newest;
+        uint step = MoveTo(index);
+        uint undecided = step;
+        if (other?._newest is { } ahead && last is { } newest && ahead - newest - 1 < Window && index - ahead - 1 < Window)
+        {
+            undecided = index - ahead;
+            _carry = other._carry;
+        }
+
+        bool isTaken = Advance(step, undecided, timestamp);
         Note(isTaken);
         return isTaken;
     }
 
-    // Another kind of the same avatar has decided this index. Its carry is copied too, so this schedule can continue without the other.
+    // Another kind of the same avatar has decided this index. Its carry is copied, so this schedule can continue without the other.
     public bool Follow(ThinningSchedule other, uint index, long timestamp, bool isTaken)
     {
         if (IsLate(index))
+        {
+            NoteLate(index, isTaken);
             return isTaken;
+        }
 
+        uint? last = _newest;
         uint step = MoveTo(index);
-        long ticks = Measure(step, timestamp);
-        _carry += Math.Min(FindShare(step, ticks), 1);
-        IsAlone = !isTaken && _carry >= Starved;
-        if (IsAlone || isTaken)
-            _carry = IsAlone ? 0 : other._carry;
+        double share = FindShare(step, _mean.Add(step, timestamp, out bool isPause), isPause);
+        bool isShared = isTaken || HasLost(other, last, index);
+        _starvation = isShared ? 0 : _starvation + Math.Min(share, 1);
+        IsAlone = _starvation >= Starved;
+        if (IsAlone)
+            _carry = 0;
+        else if (isTaken || other._newest == index)
+            _carry = other._carry;
+        else
+            _carry += Math.Min(share, 1);
 
         Note(isTaken || IsAlone);
         return isTaken || IsAlone;
     }
 
+    // The next frame belongs to another connection.
     public void Restart()
+    {
+        RestartIndex();
+        _mean.Restart();
+    }
+
+    private void RestartIndex()
     {
         _newest = null;
         _decided = 0;
         _taken = 0;
         _lateRun = 0;
+        _starvation = 0;
+        _grid.Reset();
         IsAlone = false;
+    }
+
+    // Whether frames of this kind were lost that the other kind took. This kind would have got them.
+    private bool HasLost(ThinningSchedule other, uint? last, uint index)
+    {
+        uint grid = _grid.Step;
+        for (uint missing = index - grid; last is { } newest && index - missing < index - newest && index - missing <= Window; missing -= grid)
+        {
+            if (other.FindVerdict(missing) is true)
+                return true;
+        }
+
+        return false;
     }
 
     // A server that repeats its index, or counts backwards, restarts its count with the third such frame.
@@ -110,7 +149,7 @@ internal sealed class ThinningSchedule(FrameThinning thinning)
         if (++_lateRun < RestartRun)
             return true;
 
-        Restart();
+        RestartIndex();
         return false;
     }
 
@@ -122,6 +161,9 @@ internal sealed class ThinningSchedule(FrameThinning thinning)
         bool isContinued = step is > 0 and <= LargestStep;
         _decided = isContinued && step <= Window ? _decided << (int)step : 0;
         _taken = isContinued && step <= Window ? _taken << (int)step : 0;
+        if (isContinued)
+            _grid.Add(step);
+
         return isContinued ? step : 1;
     }
 
@@ -131,10 +173,18 @@ internal sealed class ThinningSchedule(FrameThinning thinning)
         _taken |= isTaken ? 1UL : 0;
     }
 
-    private bool Advance(uint step, long timestamp)
+    // The partner of a late frame can still arrive.
+    private void NoteLate(uint index, bool isTaken)
     {
-        long ticks = Measure(step, timestamp);
-        double share = FindShare(step, ticks);
+        ulong bit = 1UL << (int)(_newest!.Value - index);
+        _decided |= bit;
+        _taken |= isTaken ? bit : 0;
+    }
+
+    // undecided: the part of the step that has no verdict of any kind yet.
+    private bool Advance(uint step, uint undecided, long timestamp)
+    {
+        double share = FindShare(undecided, _mean.Add(step, timestamp, out bool isPause), isPause);
         _carry += share;
         if (_carry < 1 - Rounding)
             return false;
@@ -143,36 +193,21 @@ internal sealed class ThinningSchedule(FrameThinning thinning)
         _carry -= 1;
         if (_carry >= Math.Min(share, 1) - Rounding)
             _carry = 0;
+        _starvation = 0;
         return true;
     }
 
-    private double FindShare(uint step, long ticks)
+    // After a pause, the carry follows the time itself.
+    private double FindShare(uint step, long ticks, bool isPause)
     {
         if (_intervalWanted == 0)
             return 1.0 / thinning.EveryNth;
-        if (ticks > LongestInterval || _intervals == 0)
+        if (isPause || _mean.Ticks is not { } interval)
             return ticks / _intervalWanted;
 
-        double interval = _meanTicks / _meanSteps;
         double ratio = _intervalWanted / interval;
         double whole = Math.Max(Math.Round(ratio), 1);
         double share = Math.Abs(ratio - whole) <= whole * Tolerance ? 1 / whole : 1 / ratio;
         return share * step;
-    }
-
-    // Returns the time since the last frame.
-    private long Measure(uint step, long timestamp)
-    {
-        long ticks = _hasLast ? Math.Max(timestamp - _lastTimestamp, 0) : 0;
-        if (_hasLast && ticks <= LongestInterval)
-        {
-            double weight = 1.0 / (_intervals < MeanLength ? ++_intervals : MeanLength);
-            _meanTicks += weight * (ticks - _meanTicks);
-            _meanSteps += weight * (step - _meanSteps);
-        }
-
-        _lastTimestamp = Math.Max(timestamp, _lastTimestamp);
-        _hasLast = true;
-        return ticks;
     }
 }

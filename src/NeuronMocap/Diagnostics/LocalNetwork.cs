@@ -30,21 +30,23 @@ internal static class LocalNetwork
         }
     }
 
-    public static string DescribeRoute(IPAddress local, IPAddress remote)
+    public static string DescribeRoute(IReadOnlyList<OwnNetwork> networks, IPAddress local, IPAddress remote)
     {
         if (IPAddress.IsLoopback(remote))
             return $"from {local}, inside this computer";
 
-        OwnNetwork own = OwnNetwork.FindAll().FirstOrDefault(own => local.Equals(own.Address));
+        OwnNetwork own = networks.FirstOrDefault(own => local.Equals(own.Address));
         if (own.Address is null)
             return $"from {local}";
 
-        string where = own.Contains(remote) ? "on the same network" : "through a router: not on the same network";
-        return $"from {local} ({own.Name}), {where}";
+        string where = own.Contains(remote) ? ", on the same network"
+            : own.HasNeighbours ? ", through a router: not on the same network"
+            : string.Empty;
+        return $"from {local} ({own.Name}){where}";
     }
 
     // The addresses to which other computers can send.
-    public static IReadOnlyList<string> ReachableAddresses() =>
+    public static IReadOnlyList<IPAddress> ReachableAddresses() =>
         [.. OwnNetwork.FindAll().Where(static own => own.Address?.AddressFamily == AddressFamily.InterNetwork && !own.IsLoopback)
-            .Select(static own => own.Address!.ToString()).Take(4)];
+            .Select(static own => own.Address!).Take(4)];
 }

@@ -1,4 +1,5 @@
 using System.Net;
+using System.Net.Sockets;
 
 namespace NeuronMocap.Diagnostics;
 
@@ -15,19 +16,29 @@ internal static class NetworksStep
         if (networks.Length == 0)
             return;
 
-        string list = string.Join(", ", networks.OrderByDescending(network => Uses(network, used)).Take(MaxListed).Select(network => Describe(network, used)));
-        if (networks.Length > MaxListed)
-            list += FormattableString.Invariant($" and {networks.Length - MaxListed} more");
+        List<string> list = [.. networks.Where(HasAddress)
+            .OrderByDescending(network => Uses(network, used))
+            .ThenBy(static network => network.Address!.AddressFamily == AddressFamily.InterNetwork ? 0 : 1)
+            .Select(network => Describe(network, used))];
+        if (list.Count > MaxListed)
+        {
+            int more = list.Count - MaxListed;
+            list.RemoveRange(MaxListed, more);
+            list[^1] += FormattableString.Invariant($" and {more} more");
+        }
 
+        AddUnusable(list, networks.Where(static network => !network.IsUp), "is down", "are down");
+        AddUnusable(list, networks.Where(static network => network.IsUp && network.Address is null), "has no address", "have no address");
+        string detail = string.Join(", ", list);
         if (FindDoubt(networks, used, remote) is { } doubt)
-            log.Warning("networks", $"{list}: {doubt}");
+            log.Warning("networks", $"{detail}: {doubt}");
         else
-            log.Ok("networks", list);
+            log.Ok("networks", detail);
     }
 
     private static string? FindDoubt(OwnNetwork[] networks, IPAddress? used, IPAddress? remote)
     {
-        if (networks.All(static network => !network.IsUp || network.Address is null))
+        if (!networks.Any(HasAddress))
             return "no network of this computer is up";
 
         OwnNetwork own = networks.FirstOrDefault(network => Uses(network, used));
@@ -43,14 +54,19 @@ internal static class NetworksStep
 
     private static bool Uses(OwnNetwork network, IPAddress? used) => used is not null && used.Equals(network.Address);
 
+    private static bool HasAddress(OwnNetwork network) => network.IsUp && network.Address is not null;
+
     private static string Describe(OwnNetwork network, IPAddress? used)
     {
         string state = Uses(network, used) ? " (used)" : network.IsVpn ? " (VPN)" : string.Empty;
-        return (network.IsUp, network.Address) switch
-        {
-            (false, _) => $"{network.Name} is down",
-            (_, null) => $"{network.Name} has no address",
-            _ => FormattableString.Invariant($"{network.Name} {network.Address}/{network.PrefixLength}{state}"),
-        };
+        return FormattableString.Invariant($"{network.Name} {network.Address}/{network.PrefixLength}{state}");
+    }
+
+    // Networks that cannot be used are counted: a computer with containers has many, and their names would hide the others.
+    private static void AddUnusable(List<string> list, IEnumerable<OwnNetwork> networks, string one, string several)
+    {
+        string[] names = [.. networks.Select(static network => network.Name)];
+        if (names.Length > 0)
+            list.Add(names.Length == 1 ? $"{names[0]} {one}" : FormattableString.Invariant($"{names.Length} {several}"));
     }
 }

@@ -11,6 +11,9 @@ internal readonly record struct OwnNetwork(string Name, IPAddress? Address, int 
 
     public bool IsLoopback => Address is not null && IPAddress.IsLoopback(Address);
 
+    // Whether the network has other addresses. A tunnel may have none, and the length of a prefix may be unknown: neither tells who is behind a router.
+    public bool HasNeighbours => Address is not null && PrefixLength > 0 && PrefixLength < 8 * Address.GetAddressBytes().Length;
+
     public bool Contains(IPAddress other)
     {
         if (Address is null)

@@ -80,6 +80,7 @@ internal sealed class TcpExamination(DiagnosisContext context)
         var routed = new List<IPAddress>();
         IPAddress? used = null;
         var details = new List<string>();
+        IReadOnlyList<OwnNetwork> networks = OwnNetwork.FindAll();
         foreach (IPAddress address in addresses)
         {
             ConnectionReason failure = LocalNetwork.FindRoute(address, _link.Port, _link.LocalAddress, out IPAddress? local);
@@ -93,7 +94,7 @@ internal sealed class TcpExamination(DiagnosisContext context)
 
             routed.Add(address);
             used ??= local;
-            details.Add($"{to}{LocalNetwork.DescribeRoute(local, address)}");
+            details.Add($"{to}{LocalNetwork.DescribeRoute(networks, local, address)}");
         }
 
         if (routed.Count > 0)
@@ -102,7 +103,7 @@ internal sealed class TcpExamination(DiagnosisContext context)
         // Inside this computer, its networks do not matter.
         IPAddress remote = routed.Count > 0 ? routed[0] : addresses[0];
         if (!IPAddress.IsLoopback(remote))
-            NetworksStep.Add(context.Log, OwnNetwork.FindAll(), used, remote);
+            NetworksStep.Add(context.Log, networks, used, remote);
 
         return [.. routed];
     }

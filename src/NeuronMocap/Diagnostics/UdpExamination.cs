@@ -7,14 +7,11 @@ namespace NeuronMocap.Diagnostics;
 internal sealed class UdpExamination(DiagnosisContext context, IReadOnlyList<IPAddress> allowedSenders)
 {
     private readonly LinkOptions _link = context.Link;
+    private readonly DatagramAddresses _addresses = new(context.Link.LocalAddress, LocalNetwork.ReachableAddresses());
 
     public async Task<Conclusion> RunAsync()
     {
-        IReadOnlyList<string> addresses = LocalNetwork.ReachableAddresses();
-        context.Log.Ok("route", addresses.Count > 0
-            ? $"other computers send to {string.Join(" or ", addresses)}, programs on this one to 127.0.0.1"
-            : "this computer has no network: only programs on it can send here, to 127.0.0.1");
-
+        context.Log.Ok("route", _addresses.Route);
         if (_link.LocalAddress is not { } bound || !IPAddress.IsLoopback(bound))
             NetworksStep.Add(context.Log, OwnNetwork.FindAll(), _link.LocalAddress, remote: null);
 
@@ -40,7 +37,7 @@ internal sealed class UdpExamination(DiagnosisContext context, IReadOnlyList<IPA
             return NotAllowed(filter, endpoint);
 
         return sample.Bytes == 0
-            ? await SilentAsync(listener, silence, addresses).ConfigureAwait(false)
+            ? await SilentAsync(listener, silence).ConfigureAwait(false)
             : await JudgeAsync(listener, sample, endpoint).ConfigureAwait(false);
     }
 
@@ -91,7 +88,7 @@ internal sealed class UdpExamination(DiagnosisContext context, IReadOnlyList<IPA
         return new Conclusion(verdict, text, advice);
     }
 
-    private async Task<Conclusion> SilentAsync(UdpListener listener, TimeSpan silence, IReadOnlyList<string> addresses)
+    private async Task<Conclusion> SilentAsync(UdpListener listener, TimeSpan silence)
     {
         context.Log.Failed("first bytes", StreamPhrases.Invariant($"none in {silence.TotalSeconds:0.#} s"));
         IPAddress? host = await ResolveHostAsync().ConfigureAwait(false);
@@ -99,14 +96,12 @@ internal sealed class UdpExamination(DiagnosisContext context, IReadOnlyList<IPA
         if (search.Found is { } found && found.Sample.Has(context.Expected))
             return FoundElsewhereOnUdp(found);
 
-        string port = $"{listener.Port}";
-        string destination = $"{(addresses.Count > 0 ? addresses[0] : "127.0.0.1")}:{port}";
         return new Conclusion(
             DiagnosisVerdict.Silent,
-            $"Nothing arrives on UDP port {port} of this computer. The server sends nothing, or sends over TCP or to another address or port. Or a firewall "
-            + "blocks the datagrams: the one of this computer, or one that drops datagrams of more than one network packet.",
-            $"{ServerSettings.BroadcastUdp(context.Expected, destination)} A server on this computer sends to 127.0.0.1:{port}. Allow this program in this computer's "
-            + $"firewall. {ServerSettings.Play}");
+            $"Nothing arrives on UDP port {listener.Port} of this computer. The server sends nothing, or sends over TCP or to another address or port. Or a "
+            + "firewall blocks the datagrams: the one of this computer, or one that drops datagrams of more than one network packet.",
+            $"{ServerSettings.BroadcastUdp(context.Expected, _addresses.FromNetwork(listener.Port))} {_addresses.Advice(listener.Port)} Allow this program in this "
+            + $"computer's firewall. {ServerSettings.Play}");
     }
 
     private static Conclusion FoundElsewhereOnUdp(PortProbe found)

@@ -23,7 +23,7 @@ internal sealed class ReceivePipeline : IPacketReceiver, ILinkListener, IReaderS
     private readonly SenderFilter _senders;
     private readonly ReaderMetrics _metrics;
     private readonly ReaderRecordings _recordings;
-    private readonly Func<bool>? _backPressure;
+    private readonly Func<WhenFull, bool>? _mayWait;
 
     // For a reader with two connections. Their threads take turns from here on, so all later code has one producer. Null for one connection.
     private readonly object? _receiveLock;
@@ -43,7 +43,7 @@ internal sealed class ReceivePipeline : IPacketReceiver, ILinkListener, IReaderS
         DataCommands.TrySend trySend,
         ReaderRecordings recordings,
         Action<Exception> callbackFailed,
-        Func<bool>? backPressure = null,
+        Func<WhenFull, bool>? mayWait = null,
         object? receiveLock = null)
     {
         _receiveLock = receiveLock;
@@ -54,7 +54,7 @@ internal sealed class ReceivePipeline : IPacketReceiver, ILinkListener, IReaderS
         _status = status;
         _senders = senders;
         _metrics = metrics;
-        _backPressure = backPressure is null ? null : () => !_stopped && backPressure();
+        _mayWait = mayWait;
         _counters = new StreamCounters(metrics.Intervals);
         _dispatcher = new PacketDispatcher(_counters);
         Callbacks = new FrameCallbacks(format, callbackFailed);
@@ -304,8 +304,14 @@ internal sealed class ReceivePipeline : IPacketReceiver, ILinkListener, IReaderS
             OnlyKind = only,
         };
 
-    // A stop ends every wait, because the reader may be disposed on the thread that would have made room.
-    private Func<bool>? BackPressureFor(WhenFull whenFull) => whenFull == WhenFull.Wait ? () => !_stopped : _backPressure;
+    // A stop ends every wait, because the reader may be disposed on the thread that would have made room. So does the end of a playback. Null for no wait.
+    private Func<bool>? BackPressureFor(WhenFull whenFull)
+    {
+        if (_mayWait is { } mayWait)
+            return () => !_stopped && mayWait(whenFull);
+
+        return whenFull == WhenFull.Wait ? () => !_stopped : null;
+    }
 
     private FrameQueue Open(FrameQueue queue)
     {

@@ -74,6 +74,21 @@ public sealed class FrameQueueWaitTests
         Assert.True(await wait.Soon());
     }
 
+    [Fact]
+    public async Task A_second_wait_is_refused_and_the_first_one_gets_the_frame()
+    {
+        Task<bool> first = _queue.WaitAsync(Cancelled).AsTask();
+        await Assert.ThrowsAsync<InvalidOperationException>(() => _queue.WaitAsync(Cancelled).AsTask().Soon());
+        Assert.False(first.IsCompleted);
+        Publish(1);
+        Assert.True(await first.Soon());
+
+        _queue.Pump<MotionFrame>(static _ => { });
+        Task<bool> next = _queue.WaitAsync(Cancelled).AsTask();
+        _queue.Dispose();
+        Assert.False(await next.Soon());
+    }
+
     [Theory]
     [InlineData(WhenFull.DropNewest)]
     [InlineData(WhenFull.DropOldest)]

@@ -17,9 +17,9 @@ public sealed class NetworksStepTests
     ];
 
     [Theory]
-    [InlineData("192.168.1.35", "192.168.1.20", "eth0 192.168.1.35/24 (used), wlan0 10.0.0.5/24, eth0 2001:db8:1::35/64, tun0 10.8.0.2/32 (VPN), eth1 is down, usb0 has no address")]
+    [InlineData("192.168.1.35", "192.168.1.20", "eth0 192.168.1.35/24 (used), wlan0 10.0.0.5/24, tun0 10.8.0.2/32 (VPN), eth0 2001:db8:1::35/64, eth1 is down, usb0 has no address")]
     [InlineData("2001:db8:1::35", "2001:db8:1::20", "eth0 2001:db8:1::35/64 (used), wlan0 10.0.0.5/24, eth0 192.168.1.35/24, tun0 10.8.0.2/32 (VPN), eth1 is down, usb0 has no address")]
-    [InlineData(null, null, "wlan0 10.0.0.5/24, eth0 192.168.1.35/24, eth0 2001:db8:1::35/64, tun0 10.8.0.2/32 (VPN), eth1 is down, usb0 has no address")]
+    [InlineData(null, null, "wlan0 10.0.0.5/24, eth0 192.168.1.35/24, tun0 10.8.0.2/32 (VPN), eth0 2001:db8:1::35/64, eth1 is down, usb0 has no address")]
     public void The_used_network_comes_first_and_the_others_follow(string? used, string? remote, string expected) =>
         Assert.Equal((StepOutcome.Ok, expected), Describe(Networks, used, remote));
 
@@ -55,6 +55,24 @@ public sealed class NetworksStepTests
         Assert.Empty(log.Steps);
     }
 
+    // As on a computer with containers: most networks are down, and they come first.
+    [Fact]
+    public void Networks_that_are_down_do_not_hide_the_others()
+    {
+        OwnNetwork[] many =
+        [
+            .. Enumerable.Range(0, 9).Select(static i => new OwnNetwork($"veth{i}", Address: null, 0, IsUp: false)),
+            .. Enumerable.Range(0, 2).Select(static i => new OwnNetwork($"usb{i}", Address: null, 0)),
+            .. Networks[1..4],
+        ];
+        Assert.Equal(
+            (StepOutcome.Ok, "eth0 192.168.1.35/24 (used), wlan0 10.0.0.5/24, eth0 2001:db8:1::35/64, 9 are down, 2 have no address"),
+            Describe(many, "192.168.1.35", remote: null));
+        Assert.Equal(
+            (StepOutcome.Warning, "9 are down, 2 have no address: no network of this computer is up"),
+            Describe(many[..^3], used: null, remote: null));
+    }
+
     [Theory]
     [InlineData("tun0", "", true)]
     [InlineData("utun4", "", true)]
@@ -73,6 +91,21 @@ public sealed class NetworksStepTests
     [InlineData("192.168.1.35", 24, "::ffff:192.168.1.35", false)]
     public void Addresses_of_both_families_are_compared_by_their_prefix(string own, int prefixLength, string other, bool isInside) =>
         Assert.Equal(isInside, new OwnNetwork("eth0", IPAddress.Parse(own), prefixLength).Contains(IPAddress.Parse(other)));
+
+    // The address of a tunnel has no neighbours, and Mono may not know the length of a prefix.
+    [Theory]
+    [InlineData("192.168.1.35", 24, "192.168.1.20", "from 192.168.1.35 (eth0), on the same network")]
+    [InlineData("192.168.1.35", 24, "192.168.2.20", "from 192.168.1.35 (eth0), through a router: not on the same network")]
+    [InlineData("10.8.0.2", 32, "192.168.2.20", "from 10.8.0.2 (eth0)")]
+    [InlineData("2001:db8::1", 128, "2001:db8::2", "from 2001:db8::1 (eth0)")]
+    [InlineData("192.168.1.35", 0, "192.168.2.20", "from 192.168.1.35 (eth0)")]
+    [InlineData("192.168.1.35", 24, "127.0.0.1", "from 192.168.1.35, inside this computer")]
+    public void A_router_is_named_only_if_the_network_is_known(string local, int prefixLength, string remote, string expected)
+    {
+        IPAddress address = IPAddress.Parse(local);
+        Assert.Equal(expected, LocalNetwork.DescribeRoute([new OwnNetwork("eth0", address, prefixLength)], address, IPAddress.Parse(remote)));
+        Assert.StartsWith($"from {local}", LocalNetwork.DescribeRoute([], address, IPAddress.Parse(remote)), StringComparison.Ordinal);
+    }
 
     [Fact]
     public void The_networks_of_this_computer_are_found() =>

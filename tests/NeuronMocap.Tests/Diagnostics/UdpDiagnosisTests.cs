@@ -97,6 +97,18 @@ public sealed class UdpDiagnosisTests
         diagnosis.AssertFault(DiagnosisVerdict.LocalAddressUnavailable, "port", "192.0.2.77");
     }
 
+    // Datagrams to other addresses of this computer do not arrive.
+    [Fact]
+    public async Task With_a_local_address_only_that_one_is_named()
+    {
+        var options = new NeuronReaderOptions { Transport = TransportKind.Udp, Port = _port, LocalAddress = IPAddress.Loopback };
+        StreamDiagnosis diagnosis = await Diagnosing.RunAsync(options, Diagnosing.With(Diagnosing.Silent));
+        Assert.Equal("only programs on this computer can send here, to 127.0.0.1", diagnosis.Step("route").Detail);
+        diagnosis.AssertFault(DiagnosisVerdict.Silent, "first bytes", $"Destination Address to 127.0.0.1:{_port}", $"A server on this computer sends to 127.0.0.1:{_port}.");
+        foreach (IPAddress other in LocalNetwork.ReachableAddresses())
+            Assert.DoesNotContain($"{other}", diagnosis.Summary, StringComparison.Ordinal);
+    }
+
     [Fact]
     public async Task A_TCP_server_is_found()
     {

@@ -41,6 +41,7 @@ public sealed class RecordingPlayer : IDisposable
     private int _readers;
     private volatile bool _waitsForQueues = true;
     private volatile bool _isPaced = true;
+    private volatile bool _isClosed;
 
     internal RecordingPlayer(RecordedEventSource source, PlaybackOptions options, PlaybackTime? time = null)
     {
@@ -109,7 +110,8 @@ public sealed class RecordingPlayer : IDisposable
     /// </summary>
     /// <remarks>
     /// A queue that is never emptied then stops the playback: dispose such a queue. If false, and at any other speed, frames that do not fit into a
-    /// queue are dropped and counted, as with a live stream.
+    /// queue are dropped and counted, as with a live stream. This option does not change queues with <see cref="WhenFull.Wait"/>, which the playback
+    /// always waits for.
     /// </remarks>
     public bool WaitForQueues
     {
@@ -188,9 +190,13 @@ public sealed class RecordingPlayer : IDisposable
     /// <returns>False if the time was not enough.</returns>
     public bool WaitUntilDelivered(TimeSpan timeout) => _control.WaitUntilDelivered(timeout);
 
-    /// <summary>Closes the file. If the reader is running, it stops within milliseconds, even while the playback waits.</summary>
+    /// <summary>
+    /// Closes the file. If the reader is running, it stops within milliseconds, even while the playback waits. A full queue that the playback waits for
+    /// then drops the frame and counts it.
+    /// </summary>
     public void Dispose()
     {
+        _isClosed = true;
         _file.Close();
         _control.End();
         if (Options.Clock is { } clock)
@@ -209,8 +215,8 @@ public sealed class RecordingPlayer : IDisposable
         return () => new PlaybackLink(run);
     }
 
-    // Whether the receive path may wait for queues.
-    internal Func<bool> BackPressure => () => _waitsForQueues && !_isPaced;
+    // Whether the receive path may wait for a full queue.
+    internal bool MayWait(WhenFull whenFull) => !_isClosed && (whenFull == WhenFull.Wait || (_waitsForQueues && !_isPaced));
 
     internal FrameFormat CreateFormat(RotationOrder? order, SkeletonVariant? variant) =>
         _source.CreateFormat(order ?? Options.RotationOrder, variant ?? Options.SkeletonVariant);

@@ -25,6 +25,27 @@ public sealed class PlaybackStopTests
         await Limits.UntilAsync(() => !source.IsReading);
     }
 
+    // The playback's thread waits in a full queue. At MaxSpeed it waits for every queue.
+    [Theory]
+    [InlineData(1, WhenFull.Wait)]
+    [InlineData(RecordingPlayer.MaxSpeed, WhenFull.Wait)]
+    [InlineData(RecordingPlayer.MaxSpeed, WhenFull.DropNewest)]
+    public async Task Disposing_the_player_ends_the_wait_for_a_queue(double speed, WhenFull whenFull)
+    {
+        using TemporaryFile file = Played.Frames(10, interval: 0, perPiece: 10);
+        using RecordingPlayer player = RecordingPlayer.Open(file.Path);
+        player.Speed = speed;
+        await using var reader = new NeuronReader(player);
+        using FrameQueue queue = reader.OpenQueue(new FrameQueueOptions { Capacity = 2, WhenFull = whenFull });
+        reader.Start();
+        await Limits.UntilAsync(() => reader.GetStatistics().MotionFrames == 3 && reader.IsDelivering);
+
+        player.Dispose();
+        await reader.Completion.Soon();
+        Assert.Equal((0, 2), (queue.Delivered, queue.Count));
+        Assert.Equal(reader.GetStatistics().Frames, queue.Dropped + queue.Count);
+    }
+
     // Contains only the instant zero, without end.
     private sealed class EndlessSource() : RecordedEventSource("endless")
     {
