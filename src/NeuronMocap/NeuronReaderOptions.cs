@@ -43,7 +43,8 @@ public sealed partial class NeuronReaderOptions
 
     /// <summary>
     /// Encrypts the TCP connection, and that of <see cref="CalculationPort"/>, with TLS, and checks the server's certificate. Null, the default, for a connection
-    /// without TLS, as Axis Neuron and Axis Studio need it. The connection of <see cref="CommandPort"/> is never encrypted.
+    /// without TLS, as Axis Neuron and Axis Studio need it. The connection of <see cref="CommandPort"/> is never encrypted. A connection with TLS always has a
+    /// thread of its own, whatever <see cref="ReceiveThread"/> says.
     /// </summary>
     public NeuronTlsOptions? Tls { get; set; }
 

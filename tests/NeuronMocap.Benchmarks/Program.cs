@@ -80,6 +80,19 @@ var pipe = new Command("pipe", "Streams and pipes as sources, against the connec
 pipe.SetAction((result, _) => Pipes.RunAsync(
     result.GetValue(Frames), result.GetValue(Runs), result.GetValue(Writes)!, result.GetValue(connections), result.GetValue(Seconds), Open(result)));
 root.Add(pipe);
+
+var webClients = new Option<int[]>("--clients") { Description = "Numbers of clients.", DefaultValueFactory = _ => [50], AllowMultipleArgumentsPerToken = true };
+var web = new Command("web", "Cost and delay of WebSocket clients.") { webClients, Seconds, Runs, Json };
+web.SetAction((result, _) => Web.RunAsync(result.GetValue(webClients)!, result.GetValue(Seconds), result.GetValue(Runs), Open(result)));
+root.Add(web);
+
+var form = new Option<string>("--form") { Required = true };
+var webSinks = new Command("websinks", "The clients of web, in their own process.") { Hidden = true };
+webSinks.Add(port);
+webSinks.Add(Connections);
+webSinks.Add(form);
+webSinks.SetAction(result => WebSinks.RunAsync(result.GetValue(port), result.GetValue(Connections), result.GetValue(form)!));
+root.Add(webSinks);
 #endif
 #if UNITY_PACKAGE
 var unity = new Command("unity", "Cost of a rendered frame of the Unity package in the tests' stand-in of the engine.") { Runs, Json };

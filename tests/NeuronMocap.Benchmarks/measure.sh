@@ -19,7 +19,7 @@ for build in net8.0 netstandard2.1; do
 done
 
 # Only this build takes pipes, and relays on the receive thread.
-for command in pipe relay; do
+for command in pipe relay web; do
     dotnet "$scratch/net8.0/NeuronMocap.Benchmarks.dll" "$command" --json "$out/net8.0-$command.json"
 done
 
