@@ -52,6 +52,7 @@ public sealed partial class NeuronReaderOptions
     /// Address of this computer to connect from or receive on. With null, the default, the system chooses for TCP, and UDP receives on all IPv4 addresses.
     /// Set it if the computer has several networks.
     /// </summary>
+    /// <remarks>With a local address, Linux and macOS deliver no UDP broadcasts. Leave it null if the server sends to a broadcast address.</remarks>
     public IPAddress? LocalAddress { get; set; }
 
     /// <summary>

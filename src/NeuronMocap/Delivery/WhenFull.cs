@@ -12,7 +12,8 @@ public enum WhenFull
     DropOldest,
 
     /// <summary>
-    /// The receive thread waits until there is room, or until the queue or its reader is disposed. All consumers of the reader wait with it.
+    /// The receive thread waits until there is room, or until the queue, its reader or the reader's recording player is disposed. All consumers of the
+    /// reader wait with it.
     /// </summary>
     /// <remarks>
     /// Over TCP nothing is lost: when the buffers of both computers are full, the server waits, and may close the connection after a timeout. Over UDP the

@@ -33,12 +33,16 @@ internal sealed class DatagramAddresses
         if (IPAddress.IsLoopback(_bound))
             return $"{own} For a server on another computer, choose another LocalAddress, or none.";
 
-        return DropsBroadcasts && _bound.AddressFamily == AddressFamily.InterNetwork
+        return DropsBroadcasts && IsAddressOfNetwork(_bound)
             ? $"{own} If the server sends to a broadcast address, leave out LocalAddress: with it, this system delivers no broadcasts."
             : own;
     }
 
-    // Linux drops them, and other systems of this family do too. Windows delivers them.
+    // On Linux, a local address can also be the broadcast address of a network. Not every runtime lists the addresses.
+    private bool IsAddressOfNetwork(IPAddress address) =>
+        address.AddressFamily == AddressFamily.InterNetwork && (_reachable.Count == 0 || _reachable.Contains(address));
+
+    // Linux drops those that were sent to another address than the socket's, and probably macOS. Windows delivers them.
     private static bool DropsBroadcasts => !OperatingSystem.IsWindows();
 
     private static string At(IPAddress address, int port) => new IPEndPoint(address, port).ToString();

@@ -36,6 +36,7 @@ public sealed class DatagramAddressesTests
     {
         Assert.DoesNotContain("broadcast", new DatagramAddresses(bound: null, Addresses).Advice(7012), StringComparison.Ordinal);
         Assert.DoesNotContain("broadcast", new DatagramAddresses(IPAddress.Loopback, Addresses).Advice(7012), StringComparison.Ordinal);
+        Assert.DoesNotContain("leave out LocalAddress", new DatagramAddresses(IPAddress.Parse("192.168.1.255"), Addresses).Advice(7012), StringComparison.Ordinal);
         Assert.Contains("choose another LocalAddress", new DatagramAddresses(IPAddress.Loopback, Addresses).Advice(7012), StringComparison.Ordinal);
         Assert.Equal(
             !OperatingSystem.IsWindows(),
