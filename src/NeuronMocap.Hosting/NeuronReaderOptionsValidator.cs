@@ -6,5 +6,5 @@ namespace NeuronMocap.Hosting;
 internal sealed class NeuronReaderOptionsValidator : IValidateOptions<NeuronReaderOptions>
 {
     public ValidateOptionsResult Validate(string? name, NeuronReaderOptions options) =>
-        options.FindFault() is { } fault ? ValidateOptionsResult.Fail(ReaderSettings.Prefix(name) + fault) : ValidateOptionsResult.Success;
+        options.Copy().FindFault() is { } fault ? ValidateOptionsResult.Fail(ReaderSettings.Prefix(name) + fault) : ValidateOptionsResult.Success;
 }

@@ -169,11 +169,11 @@ public sealed partial class Broadcaster
             _recipients.Remove(recipient);
             _departed = _departed.Add(recipient.Counters);
             _forwarder?.Forget(recipient);
-            recipient.Stream.HasServed |= recipient is not UdpRecipient && recipient.HadAll;
+            recipient.Stream.HasServed |= recipient.HadAll && (recipient is not UdpRecipient || recipient.Stream.Listener is null);
             Monitor.PulseAll(_lock);
 
             // The pacer ends a paced broadcast.
-            bool isOver = _pacer is null && _recipients.Count == 0 && _streams.All(static stream => stream.Listener is null || stream.HasServed);
+            bool isOver = _pacer is null && _recipients.Count == 0 && _streams.All(static stream => stream.HasServed || !stream.AwaitsClients);
             if (isOver || error is not null)
                 Close(error);
         }

@@ -116,7 +116,8 @@ public sealed partial class Broadcaster : IDisposable, IAsyncDisposable
     /// </para>
     /// <para>
     /// A broadcast at <see cref="BroadcasterOptions.MaxFrameRate"/> is over when all data was sent and no client is left. All data must have been
-    /// sent to each destination, and to at least one client of each port.
+    /// sent to each destination, and to at least one client of each port. Without a port, once a reader of <see cref="CreateLocalSource"/> has come, all
+    /// data must have been sent to one such reader or to a destination.
     /// </para>
     /// <para>
     /// The task fails if a source or a calculation provider throws, which closes all connections. It also fails if the system cannot create the

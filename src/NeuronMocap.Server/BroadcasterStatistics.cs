@@ -22,7 +22,10 @@ public readonly record struct BroadcasterStatistics
         RequestsDropped = counters.RequestsDropped;
     }
 
-    /// <summary>TCP connections that are being served, on all ports. A client that connects to two ports counts twice.</summary>
+    /// <summary>
+    /// TCP connections that are being served, on all ports. A client that connects to two ports counts twice. Readers of
+    /// <see cref="Broadcaster.CreateLocalSource"/> are not counted here; <see cref="Broadcaster.GetClients"/> lists them.
+    /// </summary>
     public int Clients { get; }
 
     /// <summary>TCP connections among <see cref="Clients"/> that are being served on <see cref="BroadcasterOptions.CalculationPort"/>.</summary>
@@ -36,16 +39,20 @@ public readonly record struct BroadcasterStatistics
     /// </summary>
     public long Refused { get; }
 
-    /// <summary>Motion packets, or lines of text, handed to the network. The total covers all avatars and all recipients.</summary>
+    /// <summary>
+    /// Motion packets, or lines of text, handed to the network or to readers in the same process. The total covers all avatars and all recipients.
+    /// </summary>
     public long FramesSent { get; }
 
-    /// <summary>Calculation packets, or lines of text, handed to the network. The total covers all avatars and all recipients.</summary>
+    /// <summary>
+    /// Calculation packets, or lines of text, handed to the network or to readers in the same process. The total covers all avatars and all recipients.
+    /// </summary>
     public long CalculationFramesSent { get; }
 
-    /// <summary>Motion and calculation packets that were dropped before they reached the network.</summary>
+    /// <summary>Motion and calculation packets that were dropped before they reached the network or a reader in the same process.</summary>
     /// <remarks>
-    /// A packet is dropped if a TCP client falls too far behind, or if the system refuses a datagram. Packets that UDP loses on the way cannot be
-    /// counted.
+    /// A packet is dropped if a TCP client or a reader in the same process falls too far behind, or if the system refuses a datagram. Packets that UDP loses
+    /// on the way cannot be counted.
     /// </remarks>
     public long PacketsDropped { get; }
 
@@ -54,7 +61,7 @@ public readonly record struct BroadcasterStatistics
     /// </summary>
     public long IncompletePackets { get; }
 
-    /// <summary>Bytes handed to the network, including replies.</summary>
+    /// <summary>Bytes handed to the network, including replies, or to readers in the same process.</summary>
     public long BytesSent { get; }
 
     /// <summary>Replies to commands on data connections, including values sent to clients that registered for them.</summary>
@@ -101,16 +108,16 @@ public readonly record struct BroadcasterClient
     /// <summary>True for a recipient of <see cref="BroadcasterOptions.CalculationPort"/>, which receives calculation packets only.</summary>
     public bool IsCalculation { get; }
 
-    /// <summary>Motion packets handed to the network for this recipient, of all avatars.</summary>
+    /// <summary>Motion packets handed over for this recipient, of all avatars.</summary>
     public long FramesSent { get; }
 
-    /// <summary>Calculation packets handed to the network for this recipient, of all avatars.</summary>
+    /// <summary>Calculation packets handed over for this recipient, of all avatars.</summary>
     public long CalculationFramesSent { get; }
 
     /// <summary>Motion and calculation packets that were dropped for this recipient.</summary>
     public long PacketsDropped { get; }
 
-    /// <summary>Bytes handed to the network for this recipient, including replies.</summary>
+    /// <summary>Bytes handed over for this recipient, including replies.</summary>
     public long BytesSent { get; }
 
     /// <summary>Replies to this client's commands, including values sent because the client registered for them.</summary>

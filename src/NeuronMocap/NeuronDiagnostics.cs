@@ -16,7 +16,8 @@ public static class NeuronDiagnostics
     /// <remarks>
     /// The diagnosis makes its own connections and does not use those of a reader. Over UDP it binds the port. Stop a reader of the same port first, or
     /// let it share the port. While a diagnosis runs on a shared port, it takes the unicast datagrams; the reader does not get them. A
-    /// <see cref="NeuronReaderOptions.Source"/> is opened once more.
+    /// <see cref="NeuronReaderOptions.Source"/> is opened once more. A stream or pipe that is already open cannot be diagnosed: its bytes would be lost to
+    /// the reader.
     /// </remarks>
     /// <param name="options">
     /// The options of the reader that receives no data. Over UDP, Host is the computer on which to look for a TCP server. The timeouts of these options
@@ -37,12 +38,12 @@ public static class NeuronDiagnostics
     {
         ArgumentNullException.ThrowIfNull(options);
         DiagnosisOptions how = diagnosis?.Copy() ?? new DiagnosisOptions();
-        if (options.FindFault() is { } fault)
+        NeuronReaderOptions copy = options.Copy();
+        if (copy.FindFault() is { } fault)
             throw new ArgumentException(fault, nameof(options));
         if (how.FindFault() is { } howFault)
             throw new ArgumentException(howFault, nameof(diagnosis));
 
-        NeuronReaderOptions copy = options.Copy();
         return Task.Run(() => RunAsync(copy, copy.Link, how, progress, cancellationToken), cancellationToken);
     }
 
@@ -71,7 +72,7 @@ public static class NeuronDiagnostics
 
     private static Task<Conclusion> ExamineAsync(NeuronReaderOptions options, DiagnosisContext context) => (options.Source, options.Transport) switch
     {
-        ({ } source, _) => new SourceExamination(context, source).RunAsync(),
+        ({ } source, _) => new SourceExamination(context, source, options.Target).RunAsync(),
         (_, TransportKind.Tcp) => new TcpExamination(context).RunAsync(),
         _ => new UdpExamination(context, options.AllowedSenders).RunAsync(),
     };

@@ -73,7 +73,12 @@ public sealed partial class NeuronReader
 
     private NeuronConnectionException NotConnected(TimeSpan timeout)
     {
-        ConnectionStatus last = _status.LastFailure ?? _status.Current with { Reason = ConnectionReason.TimedOut, Message = ConnectionMessages.NotYetAnswered(_status.Current.Message) };
+        string current = _status.Current.Message;
+        ConnectionStatus last = _status.LastFailure ?? _status.Current with
+        {
+            Reason = ConnectionReason.TimedOut,
+            Message = _options.Source is null ? ConnectionMessages.NotYetAnswered(current) : ConnectionMessages.NotYetOpened(current),
+        };
         string message = FormattableString.Invariant($"There was no connection within {timeout.TotalSeconds:0.###} s. The reader continues to try. {last.Message}");
         return new NeuronConnectionException(last.Reason, message, last);
     }

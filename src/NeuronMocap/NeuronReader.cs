@@ -126,11 +126,11 @@ public sealed partial class NeuronReader : IDisposable, IAsyncDisposable
     private NeuronReader(NeuronReaderOptions options, Func<Link>? createLink, RecordingPlayer? player)
     {
         ArgumentNullException.ThrowIfNull(options);
-        if (options.FindFault() is { } fault)
-            throw new ArgumentException(fault, nameof(options));
-
         _isPlayback = player is not null;
         _options = player is null ? options.Copy() : options.CopyFor(player);
+        if (_options.FindFault() is { } fault)
+            throw new ArgumentException(fault, nameof(options));
+
         _statusHandlers = new HandlerList<ConnectionStatus>(OnCallbackFailed);
         if (_options.CalculationLink is { } second)
         {
@@ -155,7 +155,8 @@ public sealed partial class NeuronReader : IDisposable, IAsyncDisposable
         _eventHandlers = new HandlerList<ReaderEvent>(OnCallbackFailed);
         _eventHandlers.Add(_options.CreateLog());
         _metrics = new ReaderMetrics(_options.DisplayName);
-        _supervisor = new ConnectionSupervisor(createLink ?? playback ?? CreateLink, _options.Reconnect, _status, _activity, new Random().NextDouble);
+        ReconnectPolicy reconnect = player is null ? _options.Reconnect : ReconnectPolicy.AtOnce;
+        _supervisor = new ConnectionSupervisor(createLink ?? playback ?? CreateLink, reconnect, _status, _activity, new Random().NextDouble);
         _recordings = new ReaderRecordings(_options, _metrics.Name, _receiveLock)
         {
             IsObserved = () => !_eventHandlers.IsEmpty,
@@ -277,7 +278,7 @@ public sealed partial class NeuronReader : IDisposable, IAsyncDisposable
     /// </returns>
     public bool TryGetBody(int avatarIndex, [NotNullWhen(true)] out SkeletonBody? body) => (body = _discovery?.FindBody(avatarIndex)) is not null;
 
-    private Link CreateLink() => _options.Source is { } source ? new SourceLink(source, _options.Link) : CreateLink(_options.Link);
+    private Link CreateLink() => _options.Source is { } source ? new SourceLink(source, _options.Target, _options.Link) : CreateLink(_options.Link);
 
     private Link CreateLink(LinkOptions link) => _options.Transport == TransportKind.Tcp ? new TcpLink(link) : new UdpLink(link, _senders, _servers, _receiveLock);
 

@@ -11,6 +11,9 @@ namespace NeuronMocap;
 /// <summary>Options of a <see cref="NeuronReader"/>. The reader copies them when it is made; later changes have no effect on it.</summary>
 public sealed partial class NeuronReaderOptions
 {
+    // Of a copy: the name of its source, which is code of the application.
+    private string? _sourceName;
+
     /// <summary>
     /// Name of the reader in metrics and logs, which distinguishes several readers. Null, the default, for the server's address or the UDP port.
     /// If two readers have the same name, the second one gets a number.
@@ -21,9 +24,10 @@ public sealed partial class NeuronReaderOptions
     /// Opens the streams of bytes to receive in place of a connection; null, the default, for TCP or UDP. The copied options refer to the same source.
     /// </summary>
     /// <remarks>
-    /// With a source, these options have no effect: <see cref="Transport"/>, <see cref="Port"/>, <see cref="LocalAddress"/>, <see cref="SharePort"/>,
-    /// <see cref="AllowedSenders"/>, <see cref="ConnectTimeout"/>, <see cref="Tls"/> and <see cref="CalculationPort"/>. <see cref="Host"/> is only the computer of
-    /// <see cref="CommandPort"/>. The reader sends nothing to a source, so <see cref="NeuronReader.DataCommands"/> are not available.
+    /// With a source, these options have no effect: <see cref="Transport"/>, <see cref="Port"/>, <see cref="SharePort"/>, <see cref="AllowedSenders"/>,
+    /// <see cref="Tls"/> and <see cref="CalculationPort"/>. <see cref="Host"/>, <see cref="LocalAddress"/> and <see cref="ConnectTimeout"/> apply to the command channel only,
+    /// and have no effect without a <see cref="CommandPort"/>. The reader sends nothing to a source, so <see cref="NeuronReader.DataCommands"/> are not
+    /// available.
     /// </remarks>
     public ByteSource? Source { get; set; }
 
@@ -142,7 +146,7 @@ public sealed partial class NeuronReaderOptions
     internal string DisplayName => Name ?? Target;
 
     // The name of what the reader receives from.
-    internal string Target => Source?.Name ?? (Transport == TransportKind.Udp ? $"UDP port {Port}" : Link.Target);
+    internal string Target => _sourceName ?? (Transport == TransportKind.Udp ? $"UDP port {Port}" : Link.Target);
 
     internal FrameFormat Format => new(RotationOrder, SkeletonVariant);
 
@@ -154,6 +158,7 @@ public sealed partial class NeuronReaderOptions
         SharePort = SharePort,
         ReceiveThread = ReceiveThread,
         Tls = Tls,
+        CloseTimeout = StopTimeout / 4,
     };
 
     // Null if motion and calculation data share one connection, or if calculation data is not received.
@@ -171,47 +176,59 @@ public sealed partial class NeuronReaderOptions
         }
         : null;
 
+    // Throws what the source throws instead of its name.
     internal NeuronReaderOptions Copy()
     {
         var copy = (NeuronReaderOptions)MemberwiseClone();
-        copy.Reconnect = Reconnect.Copy();
+        copy.Reconnect = Reconnect?.Copy()!;
         copy.Tls = Tls?.Copy();
         copy.AllowedSenders = AllowedSenders?.ToArray() ?? [];
         if (Source is not null)
+        {
+            copy._sourceName = Source.Name ?? string.Empty;
             copy.ForgetNetwork();
+        }
 
         return copy;
     }
 
-    internal NeuronReaderOptions CopyFor(ByteSource source)
+    internal NeuronReaderOptions CopyFor(ByteSource? source)
     {
         var copy = (NeuronReaderOptions)MemberwiseClone();
         copy.Source = source;
         return copy;
     }
 
-    // For a playback, which connects to nothing and asks nothing. Its next connection is established when it was in the recording.
+    // For a playback, which connects to nothing and asks nothing.
     internal NeuronReaderOptions CopyFor(RecordingPlayer player)
     {
-        NeuronReaderOptions copy = Copy();
+        NeuronReaderOptions copy = CopyFor(source: null).Copy();
         copy.Name ??= player.Target;
-        copy.Source = null;
         copy.CommandPort = null;
         copy.ForgetNetwork();
-        copy.Reconnect = new ReconnectPolicy { InitialDelay = TimeSpan.Zero, MaxDelay = TimeSpan.Zero };
+        copy.Reconnect = new ReconnectPolicy();
         return copy;
     }
 
-    // For a source of bytes, and for a playback.
+    // For a source of bytes, and for a playback: what has no effect must not be wrong either. The rest is that of the command channel.
     private void ForgetNetwork()
     {
-        Transport = TransportKind.Tcp;
-        CalculationPort = null;
-        AllowedSenders = [];
+        var unused = new NeuronReaderOptions();
+        if (CommandPort is null)
+            (Host, ConnectTimeout) = (unused.Host, unused.ConnectTimeout);
+        if (CommandPort is null || Transport != TransportKind.Tcp)
+            LocalAddress = null;
+
+        (Transport, Port, CalculationPort) = (TransportKind.Tcp, unused.Port, null);
+        (SharePort, AllowedSenders) = (false, []);
     }
 
+    // For a copy.
     internal string? FindFault()
     {
+        if (Source is not null && string.IsNullOrWhiteSpace(_sourceName))
+            return "The Name of Source is empty; give it a name for messages, or leave out the override.";
+
         if (!Enum.IsDefined(typeof(TransportKind), Transport))
             return $"Transport is {Transport}; it must be Tcp or Udp.";
 
@@ -238,7 +255,7 @@ public sealed partial class NeuronReaderOptions
             return "Tls is set and Transport is Udp; TLS needs TCP.";
         if (CommandPort is < 1 or > IPEndPoint.MaxPort)
             return $"CommandPort is {CommandPort}; it must be 1 to {IPEndPoint.MaxPort}, or null.";
-        if (CommandPort == Port && Transport == TransportKind.Tcp)
+        if (CommandPort == Port && Transport == TransportKind.Tcp && Source is null)
             return $"CommandPort and Port are both {Port}; frames and the command channel need different ports, by default 7001 and 8013.";
         if (CalculationPort < lowestPort || CalculationPort > IPEndPoint.MaxPort)
             return $"CalculationPort is {CalculationPort}; it must be {lowestPort} to {IPEndPoint.MaxPort}, or null.";

@@ -1,3 +1,5 @@
+using System.Net;
+using System.Net.Sockets;
 using NeuronMocap.Tests.Network;
 using NeuronMocap.Tests.Server;
 
@@ -47,6 +49,59 @@ public sealed class BroadcasterLocalTests
         await reader.DisposeAsync();
         Assert.Empty(broadcaster.GetClients());
         Assert.False(broadcaster.Completion.IsCompleted);
+    }
+
+    // The stream has only blocking reads, which would occupy as many threads of the pool as there are readers.
+    [Theory]
+    [InlineData(ReceiveThread.Auto)]
+    [InlineData(ReceiveThread.Dedicated)]
+    [InlineData(ReceiveThread.Pool)]
+    public async Task No_reader_blocks_a_thread_of_the_pool(ReceiveThread thread)
+    {
+        using Broadcaster broadcaster = Broadcasts.Started(new BroadcasterOptions { Sources = [new SyntheticSource()], Port = null });
+        NeuronReaderOptions options = Local(broadcaster);
+        options.ReceiveThread = thread;
+        await using var reader = new NeuronReader(options);
+        int ofPool = 0;
+        reader.MotionReceived += _ => ofPool += Thread.CurrentThread.IsThreadPoolThread ? 1 : 0;
+        var log = new StatusLog(reader);
+        reader.Start();
+        Assert.Equal(ReceiveThread.Dedicated, (await log.WaitAsync(ConnectionState.Receiving)).ReceiveThread);
+        await reader.WaitForFramesAsync(3);
+        await reader.DisposeAsync();
+        Assert.Equal(0, ofPool);
+    }
+
+    [Fact]
+    public async Task A_reader_that_leaves_early_does_not_end_an_unpaced_broadcast()
+    {
+        BroadcasterOptions options = Expect.Options(frames: 500);
+        options.Port = null;
+        using Broadcaster broadcaster = Broadcasts.Started(options);
+        ByteSource source = broadcaster.CreateLocalSource();
+        using (Stream early = await source.OpenAsync(TestContext.Current.CancellationToken))
+            Assert.NotEqual(0, early.Read(new byte[100], 0, 100));
+
+        Assert.Empty(broadcaster.GetClients());
+        Assert.False(broadcaster.Completion.IsCompleted);
+        using (Stream late = await source.OpenAsync(TestContext.Current.CancellationToken))
+            late.CopyTo(Stream.Null);
+
+        // The first reader took one frame.
+        await broadcaster.Completion.Soon();
+        Assert.Equal(501, broadcaster.GetStatistics().FramesSent);
+    }
+
+    [Fact]
+    public async Task A_reader_that_leaves_early_does_not_keep_an_unpaced_broadcast_over_udp_from_its_end()
+    {
+        using Socket end = Broadcasts.Receiver();
+        BroadcasterOptions options = Expect.Options(frames: 5);
+        (options.Port, options.UdpDestinations, options.WaitForClient) = (null, [(IPEndPoint)end.LocalEndPoint!], true);
+        using Broadcaster broadcaster = Broadcasts.Started(options);
+        (await broadcaster.CreateLocalSource().OpenAsync(TestContext.Current.CancellationToken)).Dispose();
+        await broadcaster.Completion.Soon();
+        Assert.Equal(5, broadcaster.GetStatistics().FramesSent);
     }
 
     [Fact]

@@ -30,8 +30,11 @@ internal sealed class BroadcastStream(BroadcastContent content, FrameLog? log, D
 
     public bool HasAccepted { get; set; }
 
-    // Whether a TCP client received everything.
+    // Whether a client received everything; without a port also: whether a UDP destination did.
     public bool HasServed { get; set; }
+
+    // Whether an unpaced broadcast waits for a client that receives everything. A reader that left early may come back.
+    public bool AwaitsClients => Listener is not null || HasAccepted;
 
     public void Listen(ClientListener listener) => Listener = listener;
 

@@ -1,13 +1,17 @@
+using NeuronMocap.Transport;
+
 namespace NeuronMocap.Server.Clients;
 
-// Each opening is a recipient of the broadcast. The stream waits in blocking reads, so a reader gives it a thread of its own.
+// Each opening is a recipient of the broadcast. The stream waits in blocking reads, so its reader always has a thread of its own: on threads of the pool,
+// some readers would occupy all of them.
 internal sealed class LocalSource(string name, Func<LocalRecipient> accept) : ByteSource
 {
     public override string Name => name;
 
-    internal override ReceiveThread PreferredThread => ReceiveThread.Dedicated;
-
     public override ValueTask<Stream> OpenAsync(CancellationToken cancellationToken) => new(new LocalStream(accept()));
+
+    internal override ValueTask<ByteReceiver> OpenReceiverAsync(ReceiveThread wanted, CancellationToken cancellationToken) =>
+        new(new BlockingStreamReceiver(new LocalStream(accept()), leaveOpen: false));
 
     // A live stream has no length and takes nothing. What CanSeek and CanWrite deny throws, as the contract of Stream asks.
     private sealed class LocalStream(LocalRecipient recipient) : Stream

@@ -1,6 +1,7 @@
 using System.Net;
 using System.Net.Sockets;
 using NeuronMocap.Server.Osc;
+using NeuronMocap.Transport;
 
 namespace NeuronMocap.Server;
 
@@ -45,8 +46,6 @@ public sealed class VmcSource : ByteSource
     /// <summary>Number of datagrams that are not OSC, and of transforms with values that cannot be. Thread-safe.</summary>
     public long Rejected => Interlocked.Read(ref _rejected);
 
-    internal override ReceiveThread PreferredThread => ReceiveThread.Dedicated;
-
     /// <summary>Opens the port. The reader calls this method.</summary>
     /// <param name="cancellationToken">Not used, because a port opens at once.</param>
     /// <returns>A stream of motion packets. A read waits until a frame has arrived.</returns>
@@ -66,4 +65,8 @@ public sealed class VmcSource : ByteSource
             throw;
         }
     }
+
+    // A thread of its own: the stream waits in blocking reads.
+    internal override async ValueTask<ByteReceiver> OpenReceiverAsync(ReceiveThread wanted, CancellationToken cancellationToken) =>
+        new BlockingStreamReceiver(await OpenAsync(cancellationToken).ConfigureAwait(false), leaveOpen: false);
 }

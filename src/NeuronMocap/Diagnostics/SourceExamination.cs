@@ -3,11 +3,11 @@ using NeuronMocap.Transport;
 namespace NeuronMocap.Diagnostics;
 
 // Examines each step of a source, from its opening to its frames. There are no other places to search.
-internal sealed class SourceExamination(DiagnosisContext context, ByteSource source)
+internal sealed class SourceExamination(DiagnosisContext context, ByteSource source, string name)
 {
     public async Task<Conclusion> RunAsync()
     {
-        using var link = new SourceLink(source, context.Link);
+        using var link = new SourceLink(source, name, context.Link);
         TimeSpan limit = context.Share(context.Budget.Connecting);
         Task<LinkEnd> opening = link.OpenAsync(context.CancellationToken);
         await context.WaitAsync(limit, opening).ConfigureAwait(false);

@@ -10,15 +10,13 @@ namespace NeuronMocap;
 /// The bytes are those that a server sends over TCP. A reader opens the source when it starts, and again after each end or failure, as
 /// <see cref="NeuronReaderOptions.Reconnect"/> says. Several readers may use one source at the same time; each opens its own stream.
 /// </remarks>
-public abstract class ByteSource
+public abstract partial class ByteSource
 {
     /// <summary>
-    /// Name of the source in status messages, metrics and logs, such as "serial port COM3". The default is "the stream". It must not change.
+    /// Name of the source in status messages, metrics and logs, such as "serial port COM3". The default is "the stream". A reader reads it once, when it
+    /// is made, and refuses an empty name.
     /// </summary>
     public virtual string Name => "the stream";
-
-    // How the streams of this source are read best.
-    internal virtual ReceiveThread PreferredThread => ReceiveThread.Pool;
 
     // Whether another attempt can follow the end of the bytes.
     internal virtual bool CanReopen => true;
@@ -43,6 +41,6 @@ public abstract class ByteSource
     internal virtual async ValueTask<ByteReceiver> OpenReceiverAsync(ReceiveThread wanted, CancellationToken cancellationToken)
     {
         Stream stream = await OpenAsync(cancellationToken).ConfigureAwait(false) ?? throw new InvalidOperationException("The source returned no stream.");
-        return ByteReceivers.Create(stream, leaveOpen: false, wanted == ReceiveThread.Auto ? PreferredThread : wanted);
+        return ByteReceivers.Create(stream, leaveOpen: false, wanted);
     }
 }

@@ -25,6 +25,8 @@ internal static class ConnectionMessages
     public static string NotYetAnswered(string status) =>
         $"{status} Nothing has answered yet: check Host and Port, that both computers are on the same network, and that no firewall blocks the port.";
 
+    public static string NotYetOpened(string status) => $"{status} It has not opened yet: check the device, the program or the tunnel that it opens.";
+
     // The network never causes these exceptions, and their messages do not help a user.
     public static string Failed(string target, Exception exception) => exception is OutOfMemoryException
         ? $"Receiving from {target} failed: this computer has too little free memory."

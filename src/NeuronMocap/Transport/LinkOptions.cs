@@ -13,6 +13,9 @@ internal sealed record LinkOptions(string Host, int Port)
 
     public TimeSpan ConnectTimeout { get; init; } = TimeSpan.FromSeconds(5);
 
+    // How long a stop waits for the disposal of a stream.
+    public TimeSpan CloseTimeout { get; init; } = TimeSpan.FromSeconds(0.5);
+
     public int MaxValues { get; init; } = ProtocolConstants.DefaultMaxValues;
 
     public bool SharePort { get; init; }

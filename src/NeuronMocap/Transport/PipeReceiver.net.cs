@@ -22,8 +22,28 @@ internal sealed class PipeReceiver(PipeReader reader, Stream? stream = null) : B
 
     public override ReceiveThread Thread => ReceiveThread.Pool;
 
-    // One method, so there is one state machine for all reads. A pipe must not be completed during a read, so this method completes it.
+    // The first read has a short thread of its own: a stream may block the caller of ReadAsync, or have more bytes whenever it is asked. Such a stream keeps
+    // that thread, and the link can still end.
     public override async Task ReceiveAsync(PacketAssembler assembler, ReceiveGate gate)
+    {
+        Task receiving = Task.CompletedTask;
+        await DedicatedThread.RunAsync("NeuronMocap stream receive", () => receiving = LoopAsync(assembler, gate), TaskCreationOptions.None).ConfigureAwait(false);
+        await receiving.ConfigureAwait(false);
+    }
+
+    public override void Close()
+    {
+        _isClosed = true;
+        if (TryLeave(Created, Completed))
+            Complete();
+        else if (_state == Receiving)
+            reader.CancelPendingRead();
+
+        stream?.Dispose();
+    }
+
+    // One method, so there is one state machine for all reads. A pipe must not be completed during a read, so this method completes it.
+    private async Task LoopAsync(PacketAssembler assembler, ReceiveGate gate)
     {
         if (!TryLeave(Created, Receiving))
             return;
@@ -54,17 +74,6 @@ internal sealed class PipeReceiver(PipeReader reader, Stream? stream = null) : B
             _state = Completed;
             Complete();
         }
-    }
-
-    public override void Close()
-    {
-        _isClosed = true;
-        if (TryLeave(Created, Completed))
-            Complete();
-        else if (_state == Receiving)
-            reader.CancelPendingRead();
-
-        stream?.Dispose();
     }
 
     private bool TryLeave(int state, int next) => Interlocked.CompareExchange(ref _state, next, state) == state;

@@ -5,7 +5,8 @@ public enum ReceiveThread
 {
     /// <summary>
     /// Over TCP, each of the first 16 connections of the process has its own thread, and further connections use pool threads. UDP uses pool threads, and
-    /// so does a <see cref="ByteSource"/>. On .NET Standard, for example in Unity, every TCP connection and every stream has its own thread.
+    /// so does a <see cref="ByteSource"/>, because some streams have no blocking reads. A broadcaster of this process gives each reader its own thread. On
+    /// .NET Standard, for example in Unity, every TCP connection and every stream has its own thread.
     /// </summary>
     Auto,
 
@@ -17,7 +18,8 @@ public enum ReceiveThread
 
     /// <summary>
     /// Connections use pool threads, one at a time. They need no thread and no buffer while nothing arrives. If the program blocks the pool, frames wait.
-    /// On .NET Standard this is not available for TCP and streams, which then have their own threads.
+    /// A stream that is neither a socket nor a pipe of the system keeps a buffer. On .NET Standard this is not available for TCP and streams, nor anywhere
+    /// for a broadcaster of this process. These have their own threads.
     /// </summary>
     Pool,
 }

@@ -16,6 +16,9 @@ public sealed class ReconnectPolicy
     /// <summary>Longest delay; at least <see cref="InitialDelay"/>, at most a day. The default is 5 s.</summary>
     public TimeSpan MaxDelay { get; set; } = TimeSpan.FromSeconds(5);
 
+    // For a playback, whose next connection is established when it was in the recording.
+    internal static ReconnectPolicy AtOnce => new() { InitialDelay = TimeSpan.Zero, MaxDelay = TimeSpan.Zero };
+
     internal string? FindFault()
     {
         if (InitialDelay <= TimeSpan.Zero)

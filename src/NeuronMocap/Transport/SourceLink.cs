@@ -5,21 +5,20 @@ namespace NeuronMocap.Transport;
 
 // One stream of a source. Streams and sources are code of the application, or of others: any call may block, throw, or ignore a cancellation. No call
 // delays the end of the link for long.
-internal sealed class SourceLink(ByteSource source, LinkOptions options) : Link
+internal sealed class SourceLink(ByteSource source, string name, LinkOptions options) : Link
 {
-    private static readonly TimeSpan CloseTimeout = TimeSpan.FromMilliseconds(500);
-
     private readonly object _lock = new();
     private readonly ReceiveGate _gate = new();
 
     // Never disposed: it has no timer, and the source may still check it.
     private readonly CancellationTokenSource _closeSource = new();
+    private readonly TaskCompletionSource<bool> _closed = new();
     private ByteReceiver? _receiver;
     private bool _isClosed;
 
     public override ReceiveThread ReceiveThread => _receiver?.Thread ?? ReceiveThread.Auto;
 
-    public override string Target { get; } = source.Name;
+    public override string Target => name;
 
     public override async Task<LinkEnd> OpenAsync(CancellationToken cancellationToken)
     {
@@ -44,15 +43,22 @@ internal sealed class SourceLink(ByteSource source, LinkOptions options) : Link
         }
         catch (OperationCanceledException) when (IsClosed)
         {
-            return LinkEnd.Requested;
+            // The read has not ended.
         }
         finally
         {
             assembler.Abandon();
         }
 
-        return IsClosed ? LinkEnd.Requested
-            : _receiver.Failure is { } failure ? Failed(failure, ConnectionMessages.ReceivingFailed(Target, failure))
+        if (IsClosed)
+        {
+            // The read can end before the stream is disposed.
+            await _closed.Task.ConfigureAwait(false);
+            return LinkEnd.Requested;
+        }
+
+        return _receiver!.Failure is { } failure
+            ? Failed(failure, ConnectionMessages.ReceivingFailed(Target, failure))
             : new LinkEnd(ConnectionReason.ClosedByPeer, ConnectionMessages.EndOfBytes(Target)) { IsFinal = !source.CanReopen };
     }
 
@@ -68,11 +74,12 @@ internal sealed class SourceLink(ByteSource source, LinkOptions options) : Link
 
         try
         {
-            DedicatedThread.RunAsync("NeuronMocap stream close", CloseSource, TaskCreationOptions.None).Wait(CloseTimeout);
+            DedicatedThread.RunAsync("NeuronMocap stream close", CloseSource, TaskCreationOptions.None).Wait(options.CloseTimeout);
         }
         finally
         {
             _gate.Close();
+            _closed.TrySetResult(true);
         }
     }
 

@@ -44,8 +44,54 @@ public sealed class SourceDiagnosisTests
         diagnosis.AssertFault(DiagnosisVerdict.Silent, "first bytes", "Nothing has arrived from the list for 0.1 s.");
     }
 
+    [Fact]
+    public async Task A_read_that_blocks_its_caller_is_silence()
+    {
+        StreamDiagnosis diagnosis = await RunAsync(Diagnosing.Silent, static () => new FedStream { BlocksCallers = true, IgnoresEnd = true });
+        diagnosis.AssertFault(DiagnosisVerdict.Silent, "first bytes", "Nothing has arrived from the list for 0.1 s.");
+    }
+
+    [Fact]
+    public async Task A_stream_that_always_has_bytes_is_left_in_time()
+    {
+        StreamDiagnosis diagnosis = await RunAsync(static () => new EndlessStream(TestPackets.Motions(0, 50)));
+        Assert.StartsWith("Frames arrive on the list", diagnosis.Summary, StringComparison.Ordinal);
+    }
+
+    [Theory]
+    [InlineData(false)]
+    [InlineData(true)]
+    public async Task A_cancellation_ends_the_diagnosis_of_a_stream_that_never_waits(bool isEndless)
+    {
+        using var cancellation = new CancellationTokenSource();
+        using var stream = new FedStream { BlocksCallers = true, IgnoresEnd = true };
+        int opened = 0;
+        var source = new ListedSource(() =>
+        {
+            opened++;
+            return isEndless ? new EndlessStream(TestPackets.Motions(0, 50)) : stream;
+        });
+        Task<StreamDiagnosis> diagnosing = NeuronDiagnostics.DiagnoseAsync(
+            new NeuronReaderOptions { Source = source }, Diagnosing.With(Diagnosing.Patient with { Measuring = 0.5 }), progress: null, cancellation.Token);
+        await Limits.UntilAsync(() => isEndless ? opened > 0 : stream.Waiting > 0);
+        await cancellation.CancelAsync();
+        await Assert.ThrowsAnyAsync<OperationCanceledException>(() => diagnosing).Soon();
+    }
+
     private static Task<StreamDiagnosis> RunAsync(params Func<Stream>[] streams) => RunAsync(Diagnosing.Patient, streams);
 
     private static Task<StreamDiagnosis> RunAsync(DiagnosisBudget budget, params Func<Stream>[] streams) =>
         Diagnosing.RunAsync(new NeuronReaderOptions { Source = new ListedSource(streams) }, Diagnosing.With(budget));
+
+    // Its reads never wait.
+    private sealed class EndlessStream(byte[] bytes) : MemoryStream(bytes)
+    {
+        public override int Read(byte[] buffer, int offset, int count)
+        {
+            if (Position == Length)
+                Position = 0;
+
+            return base.Read(buffer, offset, count);
+        }
+    }
 }

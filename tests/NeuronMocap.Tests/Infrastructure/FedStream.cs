@@ -12,6 +12,12 @@ internal sealed partial class FedStream : Stream
     // A stubborn stream: neither a cancellation nor a disposal ends a read.
     public bool IgnoresEnd { get; init; }
 
+    // Whether an asynchronous read waits on the thread of its caller, as in a simple wrapper of a driver.
+    public bool BlocksCallers { get; init; }
+
+    // The result of an asynchronous read into an empty buffer; null to wait for bytes.
+    public Func<Task<int>>? EmptyRead { get; init; }
+
     // Called by a disposal, before it ends reads.
     public Action Disposing { get; init; } = static () => { };
 

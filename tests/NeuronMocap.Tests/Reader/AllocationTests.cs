@@ -182,11 +182,13 @@ public sealed partial class AllocationTests
     public Task A_stream_with_a_thread_costs_no_allocation_per_frame() =>
         MeasureStreamAsync(static stream => new NeuronReader(stream, SourceReaderTests.Options(ReceiveThread.Dedicated)));
 
-    [Fact]
-    public void A_broadcast_in_this_process_costs_no_allocation_per_frame()
+    [Theory]
+    [InlineData(ReceiveThread.Auto)]
+    [InlineData(ReceiveThread.Pool)]
+    public void A_broadcast_in_this_process_costs_no_allocation_per_frame(ReceiveThread thread)
     {
         using var broadcaster = new Broadcaster(new BroadcasterOptions { Sources = [new SyntheticSource()], Port = null, FrameRate = 2000 });
-        using var reader = new NeuronReader(SourceReaderTests.Options(source: broadcaster.CreateLocalSource()));
+        using var reader = new NeuronReader(SourceReaderTests.Options(thread, broadcaster.CreateLocalSource()));
         Func<int> take = CountMotion(reader);
         broadcaster.Start();
         reader.Start();

@@ -1,5 +1,6 @@
 using System.Diagnostics.Metrics;
 using System.IO.Pipelines;
+using System.Net.Sockets;
 using NeuronMocap.Transport;
 
 namespace NeuronMocap.Tests.Reader;
@@ -21,6 +22,10 @@ public sealed partial class AllocationTests
     [Fact]
     public Task A_stream_without_a_thread_costs_no_allocation_per_frame() =>
         MeasureStreamAsync(static stream => new NeuronReader(stream, SourceReaderTests.Options(ReceiveThread.Pool)));
+
+    [Fact]
+    public Task A_stream_that_keeps_a_buffer_costs_no_allocation_per_frame() =>
+        MeasureStreamAsync(static stream => new NeuronReader(new PlainStream(((NetworkStream)stream).Socket), SourceReaderTests.Options(ReceiveThread.Pool)));
 
     [Fact]
     public Task A_pipe_costs_no_allocation_per_frame() =>
@@ -50,4 +55,7 @@ public sealed partial class AllocationTests
         // The hand-over of each frame, and the interval before it except for the first: two rounds of warm-up and at least one measured round.
         Assert.InRange(recorded, (2 * 3 * FramesPerRound) - 1, long.MaxValue);
     }
+
+    // Not known to the library as a stream whose empty reads wait.
+    private sealed class PlainStream(Socket socket) : NetworkStream(socket, ownsSocket: true);
 }

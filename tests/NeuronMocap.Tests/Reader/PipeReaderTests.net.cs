@@ -1,5 +1,7 @@
 using System.IO.Pipelines;
+using NeuronMocap.Diagnostics;
 using NeuronMocap.Recording;
+using NeuronMocap.Tests.Diagnostics;
 using NeuronMocap.Tests.Network;
 using NeuronMocap.Tests.Recording;
 
@@ -149,6 +151,68 @@ public sealed class PipeReaderTests
         await reader.StartAsync().Soon();
         reader.Dispose();
         await AssertStoppedAsync(reader);
+    }
+
+    [Fact]
+    public async Task Pipes_of_a_source_are_opened_again()
+    {
+        var pipes = new Queue<Pipe?>([new Pipe(), null, new Pipe()]);
+        Pipe[] all = [.. pipes.OfType<Pipe>()];
+        ByteSource source = ByteSource.FromPipes(
+            async token =>
+            {
+                if (!pipes.TryDequeue(out Pipe? next))
+                    await Task.Delay(Timeout.Infinite, token);
+
+                return next?.Reader!;
+            },
+            "the tunnels");
+        await using var reader = new NeuronReader(SourceReaderTests.Options(source: source));
+        var log = new StatusLog(reader);
+        reader.Start();
+        await all[0].Writer.WriteAsync(TestPackets.Motion(1), TestContext.Current.CancellationToken);
+        await reader.WaitForFramesAsync(1);
+        await all[0].Writer.CompleteAsync(new IOException("It collapsed."));
+        await all[1].Writer.WriteAsync(TestPackets.Motion(2), TestContext.Current.CancellationToken);
+        await reader.WaitForFramesAsync(2);
+        reader.Dispose();
+        await AssertStoppedAsync(reader);
+        await AssertCompletedAsync(all[0]);
+        await AssertCompletedAsync(all[1]);
+        Assert.Equal(
+            ["Receiving from the tunnels failed: It collapsed.", "Opening the tunnels failed: The source returned no pipe."],
+            log.All.Where(static status => status.State == ConnectionState.Waiting).Select(static status => status.Message));
+    }
+
+    [Fact]
+    public async Task A_pipe_of_a_source_is_diagnosed()
+    {
+        var pipe = new Pipe();
+        await pipe.Writer.WriteAsync(TestPackets.Motions(0, 20), TestContext.Current.CancellationToken);
+        StreamDiagnosis diagnosis = await Diagnosing.RunAsync(
+            new NeuronReaderOptions { Source = ByteSource.FromPipes(_ => new ValueTask<PipeReader>(pipe.Reader)) }, Diagnosing.With(Diagnosing.Patient));
+        Assert.True(diagnosis.IsReceiving);
+        await AssertCompletedAsync(pipe);
+    }
+
+    // What a caller of OpenAsync gets, for whom the source is one of streams.
+    [Fact]
+    public async Task A_pipe_of_a_source_is_a_stream_for_others()
+    {
+        var pipe = new Pipe();
+        await pipe.Writer.WriteAsync(TestPackets.Motion(1), TestContext.Current.CancellationToken);
+        await pipe.Writer.CompleteAsync();
+        await using Stream stream = await ByteSource.FromPipes(_ => new ValueTask<PipeReader>(pipe.Reader)).OpenAsync(TestContext.Current.CancellationToken);
+        using var bytes = new MemoryStream();
+        await stream.CopyToAsync(bytes, TestContext.Current.CancellationToken);
+        Assert.Equal(TestPackets.Motion(1), bytes.ToArray());
+    }
+
+    [Fact]
+    public void A_source_of_pipes_needs_a_function_and_a_name()
+    {
+        Assert.Throws<ArgumentNullException>("open", () => ByteSource.FromPipes(null!));
+        Assert.Throws<ArgumentException>("name", () => ByteSource.FromPipes(static _ => default, " "));
     }
 
     [Fact]

@@ -91,6 +91,27 @@ public sealed class SourceReaderTests
         }
     }
 
+    // On Windows, the empty read of a serial port never ends. Other streams answer it at once.
+    [Theory]
+    [InlineData(false)]
+    [InlineData(true)]
+    public async Task A_stream_need_not_support_empty_reads(bool answers)
+    {
+        var never = new TaskCompletionSource<int>();
+        using var stream = new FedStream { EmptyRead = () => answers ? Task.FromResult(0) : never.Task };
+        await using var reader = new NeuronReader(stream, Options());
+        reader.Start();
+        for (int i = 1; i <= 3; i++)
+        {
+            stream.Feed(TestPackets.Motion(i));
+            await reader.WaitForFramesAsync(i);
+        }
+
+        stream.End();
+        await reader.Completion.Soon();
+        Assert.Equal((3, 0), (reader.GetStatistics().MotionFrames, reader.GetStatistics().BytesSkipped));
+    }
+
     [Fact]
     public async Task A_source_is_opened_again()
     {
@@ -198,6 +219,19 @@ public sealed class SourceReaderTests
             Assert.Equal(!leaveOpen, stream.IsDisposed);
             Assert.Equal(ConnectionReason.Requested, reader.Status.Reason);
         }
+    }
+
+    [Fact]
+    public async Task A_source_that_does_not_open_is_the_thing_to_check()
+    {
+        await using var reader = new NeuronReader(Options(source: new ListedSource()));
+        NeuronConnectionException exception =
+            await Assert.ThrowsAsync<NeuronConnectionException>(() => reader.StartAsync(TimeSpan.FromMilliseconds(50), TestContext.Current.CancellationToken)).Soon();
+        Assert.Equal(ConnectionReason.TimedOut, exception.Reason);
+        Assert.Equal(
+            "There was no connection within 0.05 s. The reader continues to try. Connecting to the list. It has not opened yet: check the device, the program or "
+            + "the tunnel that it opens.",
+            exception.Message);
     }
 
     [Fact]

@@ -43,6 +43,27 @@ public sealed class SourceStopTests : IDisposable
     }
 
     [Theory]
+    [MemberData(nameof(Streams))]
+    public async Task While_an_asynchronous_read_blocks_its_caller(bool ignoresEnd, ReceiveThread thread)
+    {
+        foreach (int frames in (int[])[0, 1])
+        {
+            var stream = new FedStream { IgnoresEnd = ignoresEnd, BlocksCallers = true };
+            var reader = new NeuronReader(stream, SourceReaderTests.Options(thread));
+            if (frames > 0)
+                stream.Feed(TestPackets.Motions(0, frames));
+
+            reader.Start();
+            await Limits.UntilAsync(() => stream.Waiting > 0 && reader.GetStatistics().MotionFrames == frames);
+            reader.Dispose();
+            await AssertStoppedAsync(reader);
+            await Limits.UntilAsync(() => stream.IsDisposed);
+            stream.Feed(TestPackets.Motion(3)).End();
+            Assert.Equal(frames, reader.GetStatistics().MotionFrames);
+        }
+    }
+
+    [Theory]
     [InlineData(ReceiveThread.Auto)]
     [InlineData(ReceiveThread.Dedicated)]
     public async Task While_a_read_of_a_stream_that_is_left_open_waits(ReceiveThread thread)
@@ -60,11 +81,31 @@ public sealed class SourceStopTests : IDisposable
     public async Task While_the_disposal_of_the_stream_blocks()
     {
         var stream = new FedStream { Disposing = () => _release.Wait() };
-        var reader = new NeuronReader(stream, SourceReaderTests.Options());
+        NeuronReaderOptions options = SourceReaderTests.Options();
+        options.StopTimeout = TimeSpan.FromSeconds(2);
+        var reader = new NeuronReader(stream, options);
         await reader.StartAsync().Soon();
         reader.Dispose();
         await AssertStoppedAsync(reader);
         Assert.False(stream.IsDisposed);
+    }
+
+    // The read ends first, on the thread that disposes the stream.
+    [Theory]
+    [InlineData(ReceiveThread.Auto)]
+    [InlineData(ReceiveThread.Dedicated)]
+    public async Task After_the_disposal_of_the_stream(ReceiveThread thread)
+    {
+        NeuronReader? reader = null;
+        bool wasStopped = false;
+        var stream = new FedStream { Disposing = () => wasStopped = reader!.Completion.IsCompleted };
+        reader = new NeuronReader(stream, SourceReaderTests.Options(thread));
+        reader.Start();
+        await Limits.UntilAsync(() => stream.Waiting > 0);
+        reader.Dispose();
+        await AssertStoppedAsync(reader);
+        Assert.True(stream.IsDisposed);
+        Assert.False(wasStopped);
     }
 
     [Fact]
