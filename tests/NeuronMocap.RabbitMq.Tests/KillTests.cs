@@ -31,6 +31,7 @@ public sealed class KillTests
 
         await WriteAsync(500);
         await audience.UntilAsync(500);
+        await Limits.UntilAsync(() => broker.KeepsStreams);
         await WriteAsync(500);
         broker.Kill();
         await Limits.UntilAsync(() => !live.Publisher.Status.IsConnected && !take.Publisher.Status.IsConnected);

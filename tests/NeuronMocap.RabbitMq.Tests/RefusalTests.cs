@@ -120,6 +120,13 @@ public sealed class RefusalTests(SharedBroker shared)
         {
             using Socket client = await listener.AcceptSocketAsync();
             await client.SendAsync(TestPackets.Motion(0));
+
+            // Reads what the client has sent, because a close would otherwise reset the connection.
+            client.Shutdown(SocketShutdown.Send);
+            byte[] buffer = new byte[1024];
+            while (await client.ReceiveAsync(buffer) > 0)
+            {
+            }
         }
     }
 

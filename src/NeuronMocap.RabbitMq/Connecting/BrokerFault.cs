@@ -60,6 +60,8 @@ internal static class BrokerFault
             AccessRefused when reason.ReplyText.Contains("Login was refused", StringComparison.Ordinal) => RefusesUser(options),
             AccessRefused => new(
                 ConnectionReason.AccessDenied, $"The broker {broker} does not give user '{options.UserName}' the permissions for the exchange and its queues."),
+            NotFound when reason.ReplyText.Contains("inaccessible", StringComparison.Ordinal) =>
+                new(ConnectionReason.NetworkError, $"The broker {broker} has not opened the stream after its start ({reason.ReplyText})."),
             NotFound => new(ConnectionReason.NetworkError, $"The broker {broker} has no stream or exchange of this name ({reason.ReplyText})."),
             PreconditionFailed => new(
                 ConnectionReason.NetworkError, $"The broker {broker} has a queue or exchange of this name with other settings ({reason.ReplyText})."),
@@ -82,6 +84,7 @@ internal static class BrokerFault
             SocketError.HostNotFound or SocketError.NoData or SocketError.TryAgain =>
                 new(ConnectionReason.HostNotFound, $"The host name '{options.Host}' has no address."),
             SocketError.TimedOut => TimedOut(options),
+            SocketError.ConnectionReset => NoBroker(broker),
             SocketError.NetworkUnreachable or SocketError.HostUnreachable => new(ConnectionReason.Unreachable, $"There is no route to {broker}."),
             _ => new(ConnectionReason.NetworkError, $"The connection to {broker} failed: {exception.Message}"),
         };

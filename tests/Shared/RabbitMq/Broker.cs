@@ -79,6 +79,13 @@ internal sealed class Broker : IAsyncDisposable
         }
     }
 
+    /// <summary>
+    /// Whether the broker finds its streams after it was killed. RabbitMQ 3.10 writes the name of what manages them half a second after the first stream
+    /// was declared, and never finds them if it is killed before.
+    /// </summary>
+    public bool KeepsStreams => Directory.GetFiles(_folder, "names.dets", SearchOption.AllDirectories)
+        .Any(static file => File.ReadAllBytes(file).AsSpan().IndexOf("rabbit_stream_coordinator"u8) >= 0);
+
     public ValueTask DisposeAsync()
     {
         Kill();
