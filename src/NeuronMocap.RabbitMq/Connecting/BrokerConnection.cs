@@ -1,3 +1,4 @@
+using System.Collections.Concurrent;
 using RabbitMQ.Client;
 
 namespace NeuronMocap.RabbitMq.Connecting;
@@ -19,12 +20,15 @@ internal sealed class BrokerConnection
     public static async Task<BrokerConnection> OpenAsync(RabbitMqOptions options, string name, CreateChannelOptions? channelOptions, CancellationToken cancellationToken)
     {
         using var timeoutSource = CancellationTokenSource.CreateLinkedTokenSource(cancellationToken);
-        Task<BrokerConnection> opening = OpenCoreAsync(options, name, channelOptions, timeoutSource.Token);
+        var sockets = new ConcurrentBag<BrokerSocket>();
+        Task<BrokerConnection> opening = OpenCoreAsync(options, name, channelOptions, sockets, timeoutSource.Token);
         await TaskAbandoning.WaitAsync(opening, options.ConnectTimeout, cancellationToken).ConfigureAwait(false);
         if (!opening.IsCompleted)
         {
-            // The client does not end a handshake with a computer that says nothing.
             timeoutSource.Cancel();
+            foreach (BrokerSocket socket in sockets)
+                socket.Close();
+
             TaskAbandoning.Abandon(opening, static late => late.Close());
             cancellationToken.ThrowIfCancellationRequested();
             throw BrokerFault.TimedOut(options);
@@ -48,7 +52,11 @@ internal sealed class BrokerConnection
     }
 
     private static async Task<BrokerConnection> OpenCoreAsync(
-        RabbitMqOptions options, string name, CreateChannelOptions? channelOptions, CancellationToken cancellationToken)
+        RabbitMqOptions options,
+        string name,
+        CreateChannelOptions? channelOptions,
+        ConcurrentBag<BrokerSocket> sockets,
+        CancellationToken cancellationToken)
     {
         var factory = new ConnectionFactory
         {
@@ -64,6 +72,12 @@ internal sealed class BrokerConnection
             HandshakeContinuationTimeout = options.ConnectTimeout,
             ContinuationTimeout = options.ConnectTimeout,
             ClientProvidedName = name,
+            SocketFactory = family =>
+            {
+                var socket = new BrokerSocket(family);
+                sockets.Add(socket);
+                return socket;
+            },
         };
         IConnection connection = await factory.CreateConnectionAsync(cancellationToken).ConfigureAwait(false);
         try

@@ -50,6 +50,7 @@ internal sealed class ConnectionArguments
     {
         Server = source.Server,
         UdpPort = source.UdpPort,
+        Broker = source.Broker,
         LocalAddress = result.GetValue(LocalAddress) ?? source.LocalAddress,
         AllowedSenders = result.GetValue(AllowSender) ?? [],
         CommandPort = result.GetValue(CommandPort),

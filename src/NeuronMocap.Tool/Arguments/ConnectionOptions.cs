@@ -1,4 +1,5 @@
 using System.Net;
+using NeuronMocap.RabbitMq;
 using NeuronMocap.Tool.Terminal;
 
 namespace NeuronMocap.Tool.Arguments;
@@ -9,11 +10,14 @@ internal sealed record ConnectionOptions
     private static readonly TimeSpan LongestSilence = TimeSpan.FromSeconds(3);
     private static readonly TimeSpan LongestConnect = TimeSpan.FromSeconds(5);
 
-    /// <summary>The TCP server; null for UDP and for the demo.</summary>
+    /// <summary>The TCP server; null for UDP, a broker and the demo.</summary>
     public ServerAddress? Server { get; init; }
 
-    /// <summary>The UDP port; null for TCP and for the demo.</summary>
+    /// <summary>The UDP port; null for TCP, a broker and the demo.</summary>
     public int? UdpPort { get; init; }
+
+    /// <summary>The RabbitMQ broker and what to receive from it; null for all other sources.</summary>
+    public RabbitMqSourceOptions? Broker { get; init; }
 
     /// <summary>Address of this computer to connect from or receive on; null for the system's choice.</summary>
     public IPAddress? LocalAddress { get; init; }
@@ -37,12 +41,13 @@ internal sealed record ConnectionOptions
     public TimeSpan? Duration { get; init; }
 
     /// <summary>Whether a simulator inside this process is the server.</summary>
-    public bool IsDemo => Server is null && UdpPort is null;
+    public bool IsDemo => Server is null && UdpPort is null && Broker is null;
 
     /// <summary>The source, as an argument of the command line.</summary>
     public string Source => this switch
     {
         { UdpPort: { } port } => Arguments.Source.OfUdp(port, LocalAddress).ToString(),
+        { Broker: { } broker } => Arguments.Source.OfBroker(broker).ToString(),
         { Server: { } server } => Arguments.Source.OfServer(server).ToString(),
         _ => Arguments.Source.Demo.ToString(),
     };
@@ -82,6 +87,12 @@ internal sealed record ConnectionOptions
             options.Transport = TransportKind.Udp;
             options.Port = port;
             options.AllowedSenders = AllowedSenders;
+        }
+
+        if (Broker is { } broker)
+        {
+            broker.ConnectTimeout = options.ConnectTimeout;
+            options.Source = new RabbitMqSource(broker);
         }
 
         // Over UDP, the server is the computer on which a diagnosis looks for the stream if nothing arrives.

@@ -1,5 +1,6 @@
 using System.Diagnostics.CodeAnalysis;
 using System.Net;
+using NeuronMocap.RabbitMq;
 using NeuronMocap.Tool.Files;
 
 namespace NeuronMocap.Tool.Arguments;
@@ -16,16 +17,19 @@ internal enum SourceKind
     /// <summary>A port of this computer, over UDP.</summary>
     Udp,
 
+    /// <summary>A stage on a RabbitMQ broker.</summary>
+    RabbitMq,
+
     /// <summary>A recording, or the raw bytes of a stream.</summary>
     File,
 }
 
-/// <summary>The meaning of SOURCE: HOST, HOST:PORT, tcp://HOST[:PORT], udp://[ADDRESS]:PORT, a file, or demo.</summary>
+/// <summary>The meaning of SOURCE: HOST, HOST:PORT, tcp://HOST[:PORT], udp://[ADDRESS]:PORT, amqp://HOST, a file, or demo.</summary>
 /// <param name="Kind">The kind of the source.</param>
 internal sealed record Source(SourceKind Kind)
 {
     /// <summary>The forms of a source, for help and errors.</summary>
-    public const string Forms = "HOST, HOST:PORT, tcp://HOST:PORT, udp://:PORT, a file, or demo";
+    public const string Forms = "HOST, HOST:PORT, tcp://HOST:PORT, udp://:PORT, amqp://USER:PASSWORD@HOST, a file, or demo";
 
     /// <summary>The forms of a source that has a connection.</summary>
     public const string ConnectionForms = "HOST, HOST:PORT, tcp://HOST:PORT, udp://:PORT, or demo";
@@ -34,6 +38,7 @@ internal sealed record Source(SourceKind Kind)
     public const string ServerForms = "HOST, HOST:PORT, tcp://HOST:PORT or demo";
 
     private const string DemoWord = "demo";
+    private const string AmqpScheme = "amqp://";
     private const string TcpScheme = "tcp://";
     private const string UdpScheme = "udp://";
 
@@ -49,12 +54,17 @@ internal sealed record Source(SourceKind Kind)
     /// <summary>The address of this computer to receive on, which only udp:// can name. Null for all addresses.</summary>
     public IPAddress? LocalAddress { get; private init; }
 
+    /// <summary>The broker and what to receive from it; null unless the source is a broker.</summary>
+    public RabbitMqSourceOptions? Broker { get; private init; }
+
     /// <summary>The file as given; null unless the source is a file.</summary>
     public string? File { get; private init; }
 
     public static Source OfServer(ServerAddress server) => new(SourceKind.Tcp) { Server = server };
 
     public static Source OfUdp(int port, IPAddress? localAddress = null) => new(SourceKind.Udp) { UdpPort = port, LocalAddress = localAddress };
+
+    public static Source OfBroker(RabbitMqSourceOptions broker) => new(SourceKind.RabbitMq) { Broker = broker };
 
     public static Source OfFile(string path) => new(SourceKind.File) { File = path };
 
@@ -79,11 +89,12 @@ internal sealed record Source(SourceKind Kind)
         }
     }
 
-    /// <summary>The source as on the command line, with transport and port.</summary>
+    /// <summary>The source as on the command line, with transport and port, and without a password.</summary>
     public override string ToString() => Kind switch
     {
         SourceKind.Tcp => $"{TcpScheme}{Server}",
         SourceKind.Udp => $"{UdpScheme}{(LocalAddress is null ? string.Empty : new IPEndPoint(LocalAddress, 0).ToString()[..^2])}:{UdpPort}",
+        SourceKind.RabbitMq => Broker!.ToString(),
         SourceKind.File => File!,
         _ => DemoWord,
     };
@@ -94,10 +105,13 @@ internal sealed record Source(SourceKind Kind)
         if (word.Equals(DemoWord, StringComparison.OrdinalIgnoreCase))
             return Demo;
 
+        if (word.StartsWith(AmqpScheme, StringComparison.OrdinalIgnoreCase))
+            return OfBroker(RabbitMqSourceOptions.Parse(word));
+
         bool hasScheme = word.Contains("://", StringComparison.Ordinal);
         bool isTransport = word.StartsWith(TcpScheme, StringComparison.OrdinalIgnoreCase) || word.StartsWith(UdpScheme, StringComparison.OrdinalIgnoreCase);
         if (word.Length == 0 || (hasScheme && !isTransport))
-            throw new FormatException($"'{text}' is not a source. Use {forms}.");
+            throw new FormatException($"'{HiddenPassword.In(text)}' is not a source. Use {forms}.");
         if (!hasScheme && IsFileName(word))
             return OfFile(text);
         if (!hasScheme && MistypedFile.Describe(word) is { } mistake)

@@ -13,6 +13,7 @@ internal static class RelayLoop
     {
         ({ Server: { } server }, TcpDestination tcp) => server.Port == tcp.EndPoint.Port && IsOwn(server.Host, tcp.EndPoint.Address),
         ({ UdpPort: { } port }, UdpDestination udp) => port == udp.Address.Port && IsOwn(udp.Address.Host, source.LocalAddress ?? IPAddress.Any),
+        ({ Broker: { } broker }, RabbitMqDestination published) => published.Reaches(broker),
         ({ File: { } file }, { File: { } output }) => SameFile.IsSame(file, output),
         _ => false,
     };

@@ -15,7 +15,7 @@ internal sealed class RelayVerb : Verb
     private readonly Argument<Destination[]> _to = new("TO")
     {
         Description = $"Where packets go, once or more: {Destination.Forms}. tcp:// listens for clients on this computer; without an address, for every "
-            + "computer. udp:// sends to a computer. A file is written until the end.",
+            + "computer. udp:// sends to a computer. amqp:// publishes to a RabbitMQ broker; &stream=NAME keeps the take there. A file is written until the end.",
         Arity = ArgumentArity.OneOrMore,
         CustomParser = ParseDestinations,
     };
@@ -39,7 +39,7 @@ internal sealed class RelayVerb : Verb
     {
         Add(_source);
         Add(_to);
-        _to.CompletionSources.Add(TcpDestination.Scheme + ":", UdpDestination.Scheme);
+        _to.CompletionSources.Add(TcpDestination.Scheme + ":", UdpDestination.Scheme, RabbitMqDestination.Scheme);
         AddOptions("Relay", _commands, _duration, _once, _overwrite);
         AddOptions("Connection", _connection.All);
         AddOptions("With a file as the source", _playback.All);
@@ -52,6 +52,7 @@ internal sealed class RelayVerb : Verb
         new("relay 192.168.1.20 tcp://:7001 --commands tcp://:8013", "the same, with the command channel"),
         new("relay udp://:7012 udp://192.168.1.31:7012 udp://192.168.1.32:7012", "datagrams to two computers"),
         new("relay studio tcp://:7001 take.nmrec take.bvh", "to other computers, to a recording and to a BVH file"),
+        new("relay studio amqp://user:password@broker?stage=main", "to every computer that asks a RabbitMQ broker for this stage"),
         new("relay take.nmrec tcp://127.0.0.1:7001 --loop", "a recording, for programs on this computer"),
         new("relay demo tcp://:7001", "a moving skeleton for every computer of the network"),
     ];
@@ -127,7 +128,7 @@ internal sealed class RelayVerb : Verb
     {
         Destination[] all = Find(result.GetResult(_to)?.Tokens);
         foreach (Destination loop in all.Where(to => RelayLoop.Exists(source, to)))
-            result.AddError($"{loop.Text} would send the source {source} to itself. Choose another {(loop.File is null ? "port" : "file")}.");
+            result.AddError($"{loop.Text} would send the source {source} to itself. Choose another {(loop is RabbitMqDestination ? "stage" : loop.File is null ? "port" : "file")}.");
 
         for (int i = 0; i < all.Length; i++)
         {

@@ -25,7 +25,7 @@ public sealed class SourceAddressTests : AddressContract
     public void What_is_no_source_is_told_every_form_of_one(string text)
     {
         string message = Assert.Throws<FormatException>(() => Read(text)).Message;
-        Assert.Equal($"'{text}' is not a source. Use HOST, HOST:PORT, tcp://HOST:PORT, udp://:PORT, a file, or demo.", message);
+        Assert.Equal($"'{text}' is not a source. Use HOST, HOST:PORT, tcp://HOST:PORT, udp://:PORT, amqp://USER:PASSWORD@HOST, a file, or demo.", message);
     }
 
     // The library chooses any free port. Here nothing could send to it.

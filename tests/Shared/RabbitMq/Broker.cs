@@ -17,6 +17,10 @@ internal sealed class Broker : IAsyncDisposable
     // A user whom the broker knows, without any permission.
     public const string Stranger = "stranger";
 
+    // A user with all permissions, and a password that is easy to find in outputs.
+    public const string Actor = "actor";
+    public const string ActorPassword = "s3cret-word";
+
     // It takes 3 s of processor time to start.
     private static readonly TimeSpan StartLimit = TimeSpan.FromMinutes(3);
 
@@ -111,10 +115,14 @@ internal sealed class Broker : IAsyncDisposable
             {
               "users": [
                 { "name": "guest", "password": "guest", "tags": "administrator" },
+                { "name": "{{Actor}}", "password": "{{ActorPassword}}", "tags": "" },
                 { "name": "{{Stranger}}", "password": "guest", "tags": "" }
               ],
               "vhosts": [ { "name": "/" } ],
-              "permissions": [ { "user": "guest", "vhost": "/", "configure": ".*", "write": ".*", "read": ".*" } ]
+              "permissions": [
+                { "user": "guest", "vhost": "/", "configure": ".*", "write": ".*", "read": ".*" },
+                { "user": "{{Actor}}", "vhost": "/", "configure": ".*", "write": ".*", "read": ".*" }
+              ]
             }
             """);
         File.WriteAllText(PathOf("rabbitmq.conf"), string.Create(CultureInfo.InvariantCulture, $"""

@@ -83,6 +83,9 @@ internal static class HeaderView
                 ? [$"UDP port {port}", $"receive buffer {Quantity.Memory(granted)} of {Quantity.Memory(requested)}"]
                 : [$"UDP port {port}"];
 
+        if (state.Connection.Broker is { } broker)
+            return [broker.ToString()];
+
         return [state.Connection.Server is { } server ? $"TCP {server}" : $"TCP {state.Status.RemoteEndPoint?.ToString() ?? "loopback"} (demo)"];
     }
 
