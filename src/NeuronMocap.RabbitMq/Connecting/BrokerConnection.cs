@@ -26,9 +26,7 @@ internal sealed class BrokerConnection
         if (!opening.IsCompleted)
         {
             timeoutSource.Cancel();
-            foreach (BrokerSocket socket in sockets)
-                socket.Close();
-
+            Close(sockets);
             TaskAbandoning.Abandon(opening, static late => late.Close());
             cancellationToken.ThrowIfCancellationRequested();
             throw BrokerFault.TimedOut(options);
@@ -40,6 +38,7 @@ internal sealed class BrokerConnection
         }
         catch (Exception exception) when (exception is not OperationCanceledException || !cancellationToken.IsCancellationRequested)
         {
+            Close(sockets);
             throw BrokerFault.Of(exception, options);
         }
     }
@@ -90,6 +89,13 @@ internal sealed class BrokerConnection
             await CloseAsync(connection).ConfigureAwait(false);
             throw;
         }
+    }
+
+    // The client leaves the socket of a failed attempt open.
+    private static void Close(IEnumerable<BrokerSocket> sockets)
+    {
+        foreach (BrokerSocket socket in sockets)
+            socket.Close();
     }
 
     private static async Task CloseAsync(IConnection connection)

@@ -25,7 +25,7 @@ public sealed class ToolTests(SharedBroker shared)
         (int relayCode, string relayOutput) = await relaying.Soon();
 
         Assert.Equal((0, 0), (code, relayCode));
-        Assert.Equal(30, output.Split('\n').Count(static line => line.StartsWith("{\"type\":\"motion\"", StringComparison.Ordinal)));
+        Assert.Equal(30, output.Split('\n').Count(static line => line.StartsWith("{\"type\":\"frame\"", StringComparison.Ordinal)));
         Assert.Contains($"Publishing to amqp://127.0.0.1:{broker.Port}/?stage=tool&stream=tool\n", relayOutput, StringComparison.Ordinal);
         Assert.Contains(" packets, 0 dropped", relayOutput, StringComparison.Ordinal);
         Assert.DoesNotContain(Broker.ActorPassword, output + relayOutput + Encoding.Latin1.GetString(await File.ReadAllBytesAsync(recording, TestContext.Current.CancellationToken)));
