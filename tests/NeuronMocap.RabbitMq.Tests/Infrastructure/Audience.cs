@@ -15,7 +15,7 @@ internal sealed class Audience : IAsyncDisposable
         {
             Source = Source,
             SilenceTimeout = Limits.Unexpected,
-            Reconnect = { InitialDelay = TimeSpan.FromMilliseconds(10), MaxDelay = TimeSpan.FromMilliseconds(100) },
+            Reconnect = { InitialDelay = TimeSpan.FromMilliseconds(10), MaxDelay = TimeSpan.FromMilliseconds(500) },
         });
         Reader.MotionReceived += Take;
         Reader.CalculationReceived += Take;
@@ -36,6 +36,15 @@ internal sealed class Audience : IAsyncDisposable
     }
 
     public uint[] FrameIndices => [.. Packets.Select(static packet => MotionHeader.TryRead(packet, out MotionHeader header) ? header.FrameIndex!.Value : 0)];
+
+    public uint? LastFrameIndex
+    {
+        get
+        {
+            lock (_packets)
+                return _packets.Count > 0 && MotionHeader.TryRead(_packets[^1], out MotionHeader header) ? header.FrameIndex : null;
+        }
+    }
 
     public static RabbitMqSourceOptions Options(Broker broker, string stage, string? stream = null) => new()
     {

@@ -28,7 +28,7 @@ internal sealed class Stage : IAsyncDisposable
         Stream = stream,
         ConnectTimeout = Limits.Unexpected,
         CloseTimeout = Limits.Unexpected,
-        Reconnect = { InitialDelay = TimeSpan.FromMilliseconds(10), MaxDelay = TimeSpan.FromMilliseconds(100) },
+        Reconnect = { InitialDelay = TimeSpan.FromMilliseconds(10), MaxDelay = TimeSpan.FromMilliseconds(500) },
     };
 
     public static Task<Stage> StartAsync(Broker broker, string stage, string? stream = null) => StartAsync(Options(broker, stage, stream));

@@ -139,7 +139,7 @@ internal sealed class Broker : IAsyncDisposable
     {
         var start = new ProcessStartInfo("/bin/sh")
         {
-            ArgumentList = { "-c", $"{program} > '{PathOf(log)}' 2>&1 & program=$!; cat > /dev/null; kill -9 $program; wait $program" },
+            ArgumentList = { "-c", $"exec 2> /dev/null; {program} > '{PathOf(log)}' 2>&1 & program=$!; cat > /dev/null; kill -9 $program; wait $program" },
             UseShellExecute = false,
             RedirectStandardInput = true,
             Environment =
