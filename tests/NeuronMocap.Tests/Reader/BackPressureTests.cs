@@ -1,3 +1,5 @@
+using System.Net;
+using System.Net.Sockets;
 using NeuronMocap.Tests.Network;
 
 namespace NeuronMocap.Tests.Reader;
@@ -174,6 +176,31 @@ public sealed class BackPressureTests : IDisposable
         Assert.Equal(0, reader.GetStatistics().CalculationFrames);
         await reader.DisposeAsync().AsTask().Soon();
         await reader.Completion.Soon();
+    }
+
+    [Fact]
+    public async Task Over_UDP_the_system_keeps_the_datagrams_while_a_queue_waits()
+    {
+        // They fit the smallest buffer that a system grants.
+        const int Datagrams = 20;
+        var options = new NeuronReaderOptions { Transport = TransportKind.Udp, LocalAddress = IPAddress.Loopback, Port = 0, Reconnect = { Enabled = false } };
+        await using var reader = new NeuronReader(options);
+        using FrameQueue queue = reader.OpenQueue(new FrameQueueOptions { Capacity = 2, WhenFull = WhenFull.Wait });
+        await reader.StartAsync(TestContext.Current.CancellationToken);
+        using var sender = new Socket(AddressFamily.InterNetwork, SocketType.Dgram, ProtocolType.Udp);
+        sender.Connect(reader.Status.LocalEndPoint!);
+        for (int i = 0; i < Datagrams; i++)
+            sender.Send(TestPackets.Motion(i));
+
+        await Limits.UntilAsync(() => reader.GetStatistics().MotionFrames == 3 && reader.IsDelivering);
+        Assert.Equal(2, queue.Count);
+
+        List<uint?> indices = [];
+        while (indices.Count < Datagrams && await queue.WaitAsync(TestContext.Current.CancellationToken).AsTask().Soon())
+            queue.Pump<MotionFrame>(frame => indices.Add(frame.FrameIndex));
+
+        Assert.Equal(Enumerable.Range(0, Datagrams).Select(static index => (uint?)index), indices);
+        Assert.Equal((0L, 0L), (queue.Dropped, reader.GetStatistics().Lost));
     }
 
     [Theory]

@@ -13,6 +13,7 @@ namespace NeuronMocap.Unity.Tests.Editor;
 // The preview of a source in edit mode.
 public sealed class LivePreviewTests : IDisposable
 {
+    private readonly string _folder = Directory.CreateTempSubdirectory("scenes").FullName;
     private readonly EditorWorld _world = new();
     private readonly MocapSource _source;
     private readonly HumanoidDriver _driver;
@@ -34,6 +35,7 @@ public sealed class LivePreviewTests : IDisposable
         _world.Dispose();
         Assert.Equal(0, SourceConnections.Count);
         Assert.True(SourceConnections.Closed.Wait(Limits.Unexpected));
+        Directory.Delete(_folder, recursive: true);
     }
 
     [Fact]
@@ -344,10 +346,10 @@ public sealed class LivePreviewTests : IDisposable
 
     private static GuiControl Toggle() => EditorWorld.Controls.Single(static control => control.Kind == "Toggle" && control.Label == PreviewButton.Label);
 
-    private static string Save()
+    private string Save()
     {
         Scene scene = SceneManager.GetActiveScene();
-        string path = Path.Combine(Path.GetTempPath(), $"{Guid.NewGuid():N}.unity");
+        string path = Path.Combine(_folder, $"{Guid.NewGuid():N}.unity");
         SceneManager.Paths[scene.name] = path;
         EditorSceneManager.SaveScene(scene);
         return path;
