@@ -75,7 +75,7 @@ internal static class Rabbit
 
         // A frame that is lost at the end arrives at no reader, so this waits for a limited time.
         long start = Stopwatch.GetTimestamp();
-        while (!sources.TrueForAll(source => source.GetStatistics().Packets == frames) && Stopwatch.GetElapsedTime(start).TotalSeconds < 2)
+        while (!sources.TrueForAll(source => Arrived(source) == frames) && Stopwatch.GetElapsedTime(start).TotalSeconds < 20)
             await Task.Delay(1);
 
         foreach (NeuronReader audience in readers)
@@ -89,6 +89,12 @@ internal static class Rabbit
             [Latency.Added] = Spread.Percentile(sorted, 0.5) - added,
             [Lost] = (frames * Math.Max(consumers, 1)) - sorted.Length,
         };
+    }
+
+    private static long Arrived(RabbitMqSource source)
+    {
+        RabbitMqSourceStatistics statistics = source.GetStatistics();
+        return statistics.Packets + statistics.Lost;
     }
 
     private static void Collect(NeuronReader reader, ConcurrentBag<List<double>> delays)
