@@ -93,6 +93,12 @@ webSinks.Add(Connections);
 webSinks.Add(form);
 webSinks.SetAction(result => WebSinks.RunAsync(result.GetValue(port), result.GetValue(Connections), result.GetValue(form)!));
 root.Add(webSinks);
+var avatarCount = new Option<int>("--avatars") { Description = "Avatars, each with 60 frames per second.", DefaultValueFactory = _ => 100 };
+var consumerCount = new Option<int>("--consumers") { Description = "Readers of the broker.", DefaultValueFactory = _ => 4 };
+var rabbit = new Command("rabbit", "Frames over a RabbitMQ broker, which this command starts and ends.") { avatarCount, consumerCount, Runs, Seconds, Json };
+rabbit.SetAction((result, _) => Rabbit.RunAsync(
+    result.GetValue(avatarCount), result.GetValue(consumerCount), result.GetValue(Seconds), result.GetValue(Runs), Open(result)));
+root.Add(rabbit);
 #endif
 #if UNITY_PACKAGE
 var unity = new Command("unity", "Cost of a rendered frame of the Unity package in the tests' stand-in of the engine.") { Runs, Json };

@@ -74,6 +74,7 @@ internal sealed class ConnectionArguments
         Tls = source.IsEncrypted ? new NeuronTlsOptions { TrustedCertificate = result.GetValue(Trust), TargetHost = result.GetValue(TlsName) } : null,
         UdpPort = source.UdpPort,
         VmcPort = source.VmcPort,
+        Broker = source.Broker,
         LocalAddress = result.GetValue(LocalAddress) ?? source.LocalAddress,
         AllowedSenders = result.GetValue(AllowSender) ?? [],
         CommandPort = result.GetValue(CommandPort),

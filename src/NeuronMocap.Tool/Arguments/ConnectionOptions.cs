@@ -1,4 +1,5 @@
 using System.Net;
+using NeuronMocap.RabbitMq;
 using NeuronMocap.Server;
 using NeuronMocap.Tool.Terminal;
 
@@ -10,7 +11,7 @@ internal sealed record ConnectionOptions
     private static readonly TimeSpan LongestSilence = TimeSpan.FromSeconds(3);
     private static readonly TimeSpan LongestConnect = TimeSpan.FromSeconds(5);
 
-    /// <summary>The TCP server; null for UDP and for the demo.</summary>
+    /// <summary>The TCP server; null for UDP, a broker and the demo.</summary>
     public ServerAddress? Server { get; init; }
 
     /// <summary>How the certificate of the TCP server is checked; null for a connection without TLS.</summary>
@@ -24,6 +25,9 @@ internal sealed record ConnectionOptions
 
     /// <summary>The port for poses over VMC; null for other sources.</summary>
     public int? VmcPort { get; init; }
+
+    /// <summary>The RabbitMQ broker and what to receive from it; null for all other sources.</summary>
+    public RabbitMqSourceOptions? Broker { get; init; }
 
     /// <summary>Address of this computer to connect from or receive on; null for the system's choice.</summary>
     public IPAddress? LocalAddress { get; init; }
@@ -47,7 +51,7 @@ internal sealed record ConnectionOptions
     public TimeSpan? Duration { get; init; }
 
     /// <summary>Whether a simulator inside this process is the server.</summary>
-    public bool IsDemo => Server is null && UdpPort is null && VmcPort is null && WebSocket is null;
+    public bool IsDemo => Server is null && UdpPort is null && VmcPort is null && WebSocket is null && Broker is null;
 
     /// <summary>The source, as an argument of the command line.</summary>
     public string Source => this switch
@@ -55,6 +59,7 @@ internal sealed record ConnectionOptions
         { UdpPort: { } port } => Arguments.Source.OfUdp(port, LocalAddress).ToString(),
         { VmcPort: { } port } => Arguments.Source.OfVmc(port, LocalAddress).ToString(),
         { WebSocket: { } address } => Arguments.Source.OfWebSocket(address).ToString(),
+        { Broker: { } broker } => Arguments.Source.OfBroker(broker).ToString(),
         { Server: { } server } => Arguments.Source.OfServer(server, Tls is not null).ToString(),
         _ => Arguments.Source.Demo.ToString(),
     };
@@ -102,6 +107,12 @@ internal sealed record ConnectionOptions
         {
             options.Source = new VmcSource(poses, LocalAddress);
             options.LocalAddress = null;
+        }
+
+        if (Broker is { } broker)
+        {
+            broker.ConnectTimeout = options.ConnectTimeout;
+            options.Source = new RabbitMqSource(broker);
         }
 
         // Over UDP, the server is the computer on which a diagnosis looks for the stream if nothing arrives.

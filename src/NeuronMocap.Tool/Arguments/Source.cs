@@ -1,5 +1,6 @@
 using System.Diagnostics.CodeAnalysis;
 using System.Net;
+using NeuronMocap.RabbitMq;
 using NeuronMocap.Tool.Files;
 
 namespace NeuronMocap.Tool.Arguments;
@@ -22,18 +23,21 @@ internal enum SourceKind
     /// <summary>A port of this computer for poses of another program, over VMC.</summary>
     Vmc,
 
+    /// <summary>A stage on a RabbitMQ broker.</summary>
+    RabbitMq,
+
     /// <summary>A recording, or the raw bytes of a stream.</summary>
     File,
 }
 
 /// <summary>
-/// The meaning of SOURCE: HOST, HOST:PORT, tcp://HOST[:PORT], tls://HOST[:PORT], ws://HOST:PORT, udp:// or vmc://[ADDRESS]:PORT, a file, or demo.
+/// The meaning of SOURCE: HOST, HOST:PORT, tcp://HOST[:PORT], tls://HOST[:PORT], ws://HOST:PORT, udp:// or vmc://[ADDRESS]:PORT, amqp://HOST, a file, or demo.
 /// </summary>
 /// <param name="Kind">The kind of the source.</param>
 internal sealed record Source(SourceKind Kind)
 {
     /// <summary>The forms of a source, for help and errors.</summary>
-    public const string Forms = "HOST, HOST:PORT, tcp://HOST:PORT, tls://HOST:PORT, ws://HOST:PORT, udp://:PORT, vmc://:PORT, a file, or demo";
+    public const string Forms = "HOST, HOST:PORT, tcp://HOST:PORT, tls://HOST:PORT, ws://HOST:PORT, udp://:PORT, vmc://:PORT, amqp://USER:PASSWORD@HOST, a file, or demo";
 
     /// <summary>The forms of a source that has a connection.</summary>
     public const string ConnectionForms = "HOST, HOST:PORT, tcp://HOST:PORT, tls://HOST:PORT, ws://HOST:PORT, udp://:PORT, or demo";
@@ -45,6 +49,7 @@ internal sealed record Source(SourceKind Kind)
     public const string VmcScheme = "vmc://";
 
     private const string DemoWord = "demo";
+    private const string AmqpScheme = "amqp://";
     private const string TcpScheme = "tcp://";
     private const string TlsScheme = "tls://";
     private const string UdpScheme = "udp://";
@@ -72,6 +77,9 @@ internal sealed record Source(SourceKind Kind)
     /// <summary>The address of this computer to receive on, which only udp:// and vmc:// can name. Null for all addresses.</summary>
     public IPAddress? LocalAddress { get; private init; }
 
+    /// <summary>The broker and what to receive from it; null unless the source is a broker.</summary>
+    public RabbitMqSourceOptions? Broker { get; private init; }
+
     /// <summary>The file as given; null unless the source is a file.</summary>
     public string? File { get; private init; }
 
@@ -82,6 +90,8 @@ internal sealed record Source(SourceKind Kind)
     public static Source OfUdp(int port, IPAddress? localAddress = null) => new(SourceKind.Udp) { UdpPort = port, LocalAddress = localAddress };
 
     public static Source OfVmc(int port, IPAddress? localAddress = null) => new(SourceKind.Vmc) { VmcPort = port, LocalAddress = localAddress };
+
+    public static Source OfBroker(RabbitMqSourceOptions broker) => new(SourceKind.RabbitMq) { Broker = broker };
 
     public static Source OfFile(string path) => new(SourceKind.File) { File = path };
 
@@ -106,13 +116,14 @@ internal sealed record Source(SourceKind Kind)
         }
     }
 
-    /// <summary>The source as on the command line, with transport and port.</summary>
+    /// <summary>The source as on the command line, with transport and port, and without a password.</summary>
     public override string ToString() => Kind switch
     {
         SourceKind.Tcp => $"{(IsEncrypted ? TlsScheme : TcpScheme)}{Server}",
         SourceKind.WebSocket => new WebSocketSource(WebSocket!).Name,
         SourceKind.Udp => $"{UdpScheme}{AddressText}:{UdpPort}",
         SourceKind.Vmc => $"{VmcScheme}{AddressText}:{VmcPort}",
+        SourceKind.RabbitMq => Broker!.ToString(),
         SourceKind.File => File!,
         _ => DemoWord,
     };
@@ -128,13 +139,15 @@ internal sealed record Source(SourceKind Kind)
 
         if (word.StartsWith(VmcScheme, StringComparison.OrdinalIgnoreCase) && forms.Contains(VmcScheme, StringComparison.Ordinal))
             return ParseVmc(text, word[VmcScheme.Length..]);
+        if (word.StartsWith(AmqpScheme, StringComparison.OrdinalIgnoreCase))
+            return OfBroker(RabbitMqSourceOptions.Parse(word));
 
         bool hasScheme = word.Contains("://", StringComparison.Ordinal);
         bool isTransport = HasScheme(word, TcpScheme) || HasScheme(word, TlsScheme) || HasScheme(word, UdpScheme);
         if (Array.Exists(WebSocketSchemes, scheme => HasScheme(word, scheme)))
             return ParseWebSocket(text, word);
         if (word.Length == 0 || (hasScheme && !isTransport))
-            throw new FormatException($"'{text}' is not a source. Use {forms}.");
+            throw new FormatException($"'{HiddenPassword.In(text)}' is not a source. Use {forms}.");
         if (!hasScheme && IsFileName(word))
             return OfFile(text);
         if (!hasScheme && MistypedFile.Describe(word) is { } mistake)

@@ -19,7 +19,7 @@ internal sealed class SourceArgument : Argument<Source?>
         Description = $"{what}: {forms}. Write an IPv6 address with a port in brackets: [::1]:7001.{(whenLeftOut is null ? string.Empty : $" Default: {whenLeftOut}.")}";
         Arity = whenLeftOut is null ? ArgumentArity.ExactlyOne : ArgumentArity.ZeroOrOne;
         CustomParser = Parse;
-        CompletionSources.Add("demo", "tcp://", "tls://", "ws://", "udp://:");
+        CompletionSources.Add("demo", "tcp://", "tls://", "ws://", "udp://:", "amqp://");
         if (forms.Contains(Source.VmcScheme, StringComparison.Ordinal))
             CompletionSources.Add(Source.VmcScheme + ":");
     }

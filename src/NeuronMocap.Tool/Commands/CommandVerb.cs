@@ -92,7 +92,7 @@ internal sealed class CommandVerb : Verb
         else if (source.Kind == SourceKind.Tcp)
             return Source.OfServer(ServerAddress.ParseCommandChannel(text));
         else if (source.Kind != SourceKind.Demo)
-            result.AddError($"'{text}' has no command channel: give {Source.ServerForms}.");
+            result.AddError($"'{HiddenPassword.In(text)}' has no command channel: give {Source.ServerForms}.");
 
         return source;
     }

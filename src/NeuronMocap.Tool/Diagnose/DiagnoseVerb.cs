@@ -88,6 +88,12 @@ internal sealed class DiagnoseVerb : Verb
             return;
         }
 
+        if (source.Kind == SourceKind.RabbitMq)
+        {
+            result.AddError($"'{source}' is a broker, which has no steps to diagnose; {ToolCommand.Name} watch '{source}' says what is wrong with it.");
+            return;
+        }
+
         _connection.RejectContradictions(result, source);
         if (IsGiven(result, _server) && source.Kind != SourceKind.Udp)
             result.AddError("--server needs a source udp://:PORT: any other source names the server itself.");

@@ -16,6 +16,7 @@ internal static class RelayLoop
         ({ UdpPort: { } port }, UdpDestination udp) => port == udp.Address.Port && IsOwn(udp.Address.Host, source.LocalAddress ?? IPAddress.Any),
         ({ UdpPort: { } port }, PoseDestination pose) => port == pose.Address.Port && IsOwn(pose.Address.Host, source.LocalAddress ?? IPAddress.Any),
         ({ VmcPort: { } port }, VmcDestination vmc) => port == vmc.Address.Port && IsOwn(vmc.Address.Host, source.LocalAddress ?? IPAddress.Any),
+        ({ Broker: { } broker }, RabbitMqDestination published) => published.Reaches(broker),
         ({ File: { } file }, { File: { } output }) => SameFile.IsSame(file, output),
         _ => false,
     };

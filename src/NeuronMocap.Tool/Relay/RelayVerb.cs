@@ -19,7 +19,7 @@ internal sealed class RelayVerb : Verb
         Description = $"Where packets go, once or more: {Destination.Forms}. tcp:// listens for clients on this computer; without an address, for every "
             + "computer. ws:// listens for browsers and other WebSocket clients; without an address, only for this computer. udp:// sends to a computer. "
             + "vmc:// sends poses of one avatar to a program that shows it; osc:// sends poses of all as OSC messages. AVATAR is a number or a name. "
-            + "A file is written until the end.",
+            + "amqp:// publishes to a RabbitMQ broker; &stream=NAME keeps the take there. A file is written until the end.",
         Arity = ArgumentArity.OneOrMore,
         CustomParser = ParseDestinations,
     };
@@ -65,7 +65,8 @@ internal sealed class RelayVerb : Verb
         Add(_source);
         Add(_to);
         _to.CompletionSources.Add(
-            TcpDestination.Scheme + ":", WebSocketDestination.Scheme + ":", UdpDestination.Scheme, VmcDestination.Scheme, OscDestination.Scheme);
+            TcpDestination.Scheme + ":", WebSocketDestination.Scheme + ":", UdpDestination.Scheme, VmcDestination.Scheme, OscDestination.Scheme,
+            RabbitMqDestination.Scheme);
         AddOptions("Output", _json, _quiet);
         AddOptions("Relay", _commands, _token, _allowOrigin, _duration, _once, _overwrite);
         AddOptions("With a destination vmc:// or osc://", _poses.All);
@@ -82,6 +83,7 @@ internal sealed class RelayVerb : Verb
         new("relay studio tcp://:7001 take.nmrec take.bvh", "to other computers, to a recording and to a BVH file"),
         new("relay 192.168.1.20 vmc://127.0.0.1:39539/0 vmc://127.0.0.1:39541/1", "two performers to two avatar programs"),
         new("relay 192.168.1.20 ws://:7100", "to pages in browsers on this computer"),
+        new("relay studio amqp://user:password@broker?stage=main", "to every computer that asks a RabbitMQ broker for this stage"),
         new("relay take.nmrec tcp://127.0.0.1:7001 --loop", "a recording, for programs on this computer"),
         new("relay studio tcp://:7001 --json", "figures for another program, once a second"),
         new("relay demo tcp://:7001", "a moving skeleton for every computer of the network"),
@@ -183,7 +185,7 @@ internal sealed class RelayVerb : Verb
     {
         Destination[] all = Find(result.GetResult(_to)?.Tokens);
         foreach (Destination loop in all.Where(to => RelayLoop.Exists(source, to)))
-            result.AddError($"{loop.Text} would send the source {source} to itself. Choose another {(loop.File is null ? "port" : "file")}.");
+            result.AddError($"{loop.Text} would send the source {source} to itself. Choose another {(loop is RabbitMqDestination ? "stage" : loop.File is null ? "port" : "file")}.");
 
         for (int i = 0; i < all.Length; i++)
         {

@@ -60,6 +60,7 @@ internal sealed class WatchVerb : Verb
         new("watch udp://:7012 --allow-sender 192.168.1.20", "the same, only from this sender"),
         new("watch vmc://:39539", "poses of a program that sends VMC to this computer"),
         new("watch 192.168.1.20 --calculation-port 7003", "calculation data as well, from their own port"),
+        new("watch amqp://user:password@broker?stage=main", "a stage on a RabbitMQ broker"),
         new("watch take.nmrec", "a recording, as play does"),
         new("watch studio --record take.nmrec", "show the stream and record every byte"),
         new("watch studio --export take.bvh", "show the stream and export it as BVH, until q or Ctrl+C"),

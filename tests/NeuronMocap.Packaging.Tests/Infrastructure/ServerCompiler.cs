@@ -4,7 +4,9 @@ using NeuronMocap.Tests.Infrastructure;
 
 namespace NeuronMocap.Packaging.Tests.Infrastructure;
 
-/// <summary>Compiles a program as an ASP.NET Core project with references to NeuronMocap, NeuronMocap.Server and NeuronMocap.AspNetCore does.</summary>
+/// <summary>
+/// Compiles a program as an ASP.NET Core project with references to NeuronMocap, NeuronMocap.Server, NeuronMocap.AspNetCore and NeuronMocap.RabbitMq does.
+/// </summary>
 internal static class ServerCompiler
 {
     // The implicit usings of such a project that the programs need.
@@ -22,6 +24,7 @@ internal static class ServerCompiler
         .Split(Path.PathSeparator)
         .Append(Repository.PathOf("src", "NeuronMocap.AspNetCore", "bin", ThePackage.Configuration, "net8.0", "NeuronMocap.AspNetCore.dll"))
         .Append(Repository.PathOf("src", "NeuronMocap.Server", "bin", ThePackage.Configuration, "netstandard2.1", "NeuronMocap.Server.dll"))
+        .Append(Repository.PathOf("src", "NeuronMocap.RabbitMq", "bin", ThePackage.Configuration, "netstandard2.1", "NeuronMocap.RabbitMq.dll"))
         .Select(static file => MetadataReference.CreateFromFile(file))];
 
     public static IEnumerable<Diagnostic> FindErrors(string program) => CSharpCompilation

@@ -31,7 +31,7 @@ public sealed class SourceAddressTests : AddressContract
     public void What_is_no_source_is_told_every_form_of_one(string text)
     {
         string message = Assert.Throws<FormatException>(() => Read(text)).Message;
-        Assert.Equal($"'{text}' is not a source. Use HOST, HOST:PORT, tcp://HOST:PORT, tls://HOST:PORT, ws://HOST:PORT, udp://:PORT, vmc://:PORT, a file, or demo.", message);
+        Assert.Equal($"'{text}' is not a source. Use HOST, HOST:PORT, tcp://HOST:PORT, tls://HOST:PORT, ws://HOST:PORT, udp://:PORT, vmc://:PORT, amqp://USER:PASSWORD@HOST, a file, or demo.", message);
     }
 
     [Theory]

@@ -1,11 +1,12 @@
 using System.Diagnostics.CodeAnalysis;
 using System.Net;
+using NeuronMocap.Tool.Arguments;
 using NeuronMocap.Tool.Files;
 
 namespace NeuronMocap.Tool.Relay.Destinations;
 
 /// <summary>The meaning of TO: where packets go.</summary>
-/// <param name="Text">The argument of the command line.</param>
+/// <param name="Text">The argument of the command line, without a password.</param>
 internal abstract record Destination(string Text)
 {
     // To add a scheme, write a record that opens it, and add a row.
@@ -16,6 +17,7 @@ internal abstract record Destination(string Text)
         ("udp://HOST:PORT", StartsWith(UdpDestination.Scheme), UdpDestination.Parse),
         ("vmc://HOST:PORT[/AVATAR]", StartsWith(VmcDestination.Scheme), VmcDestination.Parse),
         ("osc://HOST:PORT[/AVATAR]", StartsWith(OscDestination.Scheme), OscDestination.Parse),
+        (RabbitMqDestination.Form, StartsWith(RabbitMqDestination.Scheme), RabbitMqDestination.Parse),
         ("FILE.nmrec", static text => FileKinds.OfName(text) == FileKind.Recording, static text => new RecordingDestination(text)),
         ("FILE.bvh", static text => FileKinds.OfName(text) == FileKind.Bvh, static text => new BvhDestination(text)),
     ];
@@ -39,7 +41,7 @@ internal abstract record Destination(string Text)
         try
         {
             (_, _, Func<string, Destination>? parse) = Array.Find(Schemes, scheme => scheme.IsMeant(text));
-            destination = parse is null ? throw new FormatException($"'{text}' is not a destination. Use {Forms}.") : parse(text);
+            destination = parse is null ? throw new FormatException($"'{HiddenPassword.In(text)}' is not a destination. Use {Forms}.") : parse(text);
             return true;
         }
         catch (FormatException fault)

@@ -85,6 +85,8 @@ internal static class HeaderView
         if (state.Connection.VmcPort is { } poses)
             return [$"VMC port {poses}"];
 
+        if (state.Connection.Broker is { } broker)
+            return [broker.ToString()];
         if (state.Connection.WebSocket is not null)
             return [state.Connection.Source];
 
