@@ -5,7 +5,7 @@ using Microsoft.AspNetCore.Http.Features;
 namespace NeuronMocap.AspNetCore;
 
 /// <summary>What a client sends: a stream between Kestrel and the WebSocket, which counts the bytes of frames that are no messages, too.</summary>
-/// <remarks>A WebSocket answers pings by itself, so a flood of them shows only here. After the end, a read waits without reading.</remarks>
+/// <remarks>A WebSocket answers pings by itself, so a flood of them shows only here. Once a client has sent too much, nothing more is read.</remarks>
 internal sealed class LimitedInput : IDisposable
 {
     /// <summary>Bytes that a client may send in a second.</summary>

@@ -66,7 +66,7 @@ public sealed class WebSocketBroadcaster : IAsyncDisposable
         _pump = Task.Run(PumpAsync);
     }
 
-    /// <summary>Completes when the reader has stopped or the broadcaster is disposed. No frame is sent after that.</summary>
+    /// <summary>Completes when the reader has stopped or the broadcaster is disposed. No frame is taken from the reader after that.</summary>
     /// <remarks>The task fails if a frame cannot be encoded, because memory is short or this library has an error. All clients are disconnected then.</remarks>
     public Task Completion => _completion.Task;
 
