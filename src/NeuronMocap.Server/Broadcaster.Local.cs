@@ -35,16 +35,18 @@ public sealed partial class Broadcaster
         }
     }
 
-    // Serves a connection that another server accepted, like a client of Port. The task ends when the client is no longer served. Returns false if there is no
+    internal bool HasCalculationStream => _streams.Any(static stream => stream.IsBeside);
+
+    // Serves a connection that another server accepted, like a client of Port or of CalculationPort. The task ends when the client is no longer served. Returns false if there is no
     // place for it. The caller then ends the connection.
-    internal bool TryServe(ClientTransport transport, out Task served)
+    internal bool TryServe(ClientTransport transport, bool isCalculation, out Task served)
     {
         var completion = new TaskCompletionSource<bool>(TaskCreationOptions.RunContinuationsAsynchronously);
         served = completion.Task;
         lock (_lock)
         {
             CheckRuns();
-            return TryServe(_streams[0], () => transport, OnEnded);
+            return TryServe(_streams.First(stream => stream.IsBeside == isCalculation), () => transport, OnEnded);
         }
 
         void OnEnded(Recipient recipient, Exception? error)

@@ -23,8 +23,8 @@ public sealed partial class NeuronReaderOptions
         if (AddressText.ParseUdp(address) is (int udpPort, var localAddress))
             return new NeuronReaderOptions { Transport = TransportKind.Udp, Port = udpPort, LocalAddress = localAddress };
 
-        string? encrypted = AddressText.WithoutTls(address);
-        (string host, int port) = AddressText.ParseServer(encrypted ?? address, ProtocolConstants.DefaultPort);
-        return new NeuronReaderOptions { Host = host, Port = port, Tls = encrypted is null ? null : new NeuronTlsOptions() };
+        bool isEncrypted = AddressText.IsEncrypted(address);
+        (string host, int port) = AddressText.ParseServer(address, ProtocolConstants.DefaultPort, isEncrypted);
+        return new NeuronReaderOptions { Host = host, Port = port, Tls = isEncrypted ? new NeuronTlsOptions() : null };
     }
 }

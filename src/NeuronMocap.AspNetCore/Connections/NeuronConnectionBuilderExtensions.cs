@@ -2,6 +2,7 @@ using Microsoft.AspNetCore.Connections;
 using Microsoft.Extensions.DependencyInjection;
 using Microsoft.Extensions.Logging;
 using Microsoft.Extensions.Logging.Abstractions;
+using NeuronMocap;
 using NeuronMocap.AspNetCore.Connections;
 using NeuronMocap.Server;
 using NeuronMocap.Server.Clients;
@@ -22,12 +23,20 @@ public static class NeuronConnectionBuilderExtensions
     /// The broadcaster. Its owner starts it before clients connect, and disposes it. It needs no port of its own: set <see cref="BroadcasterOptions.Port"/> to null.
     /// <see cref="BroadcasterOptions.MaxClients"/> and <see cref="BroadcasterOptions.ClientTimeout"/> apply to these clients, too.
     /// </param>
+    /// <param name="calculation">
+    /// Whether clients get calculation packets only, like those of <see cref="BroadcasterOptions.CalculationPort"/>, which the broadcaster's options must then set.
+    /// Readers connect to this address as their <see cref="NeuronReaderOptions.CalculationPort"/>.
+    /// </param>
     /// <returns>The same builder.</returns>
-    public static IConnectionBuilder UseNeuronBroadcast(this IConnectionBuilder listen, Broadcaster broadcaster)
+    /// <exception cref="ArgumentException">The broadcaster has no separate calculation data.</exception>
+    public static IConnectionBuilder UseNeuronBroadcast(this IConnectionBuilder listen, Broadcaster broadcaster, bool calculation = false)
     {
         ArgumentNullException.ThrowIfNull(listen);
         ArgumentNullException.ThrowIfNull(broadcaster);
-        return Use(listen, broadcaster.TryServe, broadcaster.ClientTimeout);
+        if (calculation && !broadcaster.HasCalculationStream)
+            throw new ArgumentException("The broadcaster sends calculation data with the motion. Set BroadcasterOptions.CalculationPort, to 0 if Port is null.", nameof(calculation));
+
+        return Use(listen, (ClientTransport transport, out Task served) => broadcaster.TryServe(transport, calculation, out served), broadcaster.ClientTimeout);
     }
 
     /// <summary>Serves the clients of this address from a command server, like those of <see cref="CommandServerOptions.Port"/>.</summary>

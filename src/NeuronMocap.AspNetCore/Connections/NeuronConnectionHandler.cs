@@ -23,6 +23,7 @@ internal sealed class NeuronConnectionHandler(Serve serve, TimeSpan sendTimeout,
 
     public async Task RunAsync(ConnectionContext connection)
     {
+        ConnectionSocket.Prepare(connection.Features);
         using var transport = new PipeTransport(connection, sendTimeout);
         try
         {

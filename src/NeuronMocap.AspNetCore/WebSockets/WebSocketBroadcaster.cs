@@ -1,7 +1,9 @@
 using System.Net.WebSockets;
 using Microsoft.AspNetCore.Http;
+using Microsoft.AspNetCore.Http.Features;
 using Microsoft.Extensions.DependencyInjection;
 using Microsoft.Extensions.Hosting;
+using NeuronMocap.AspNetCore.Connections;
 
 namespace NeuronMocap.AspNetCore;
 
@@ -12,7 +14,10 @@ namespace NeuronMocap.AspNetCore;
 /// <see cref="WebSocketBroadcasterOptions.MaxRate"/>. A client that is too slow gets the newest frames of each avatar and loses older ones. It affects neither the
 /// reader nor other clients. The page docs/guide/web.md describes the messages.
 /// </para>
-/// <para>All members are thread-safe. A frame is encoded once for each form in use, on a pool thread. In steady state nothing is allocated per frame.</para>
+/// <para>
+/// All members are thread-safe. A frame is encoded once for each form in use, on a pool thread. In steady state, encoding it and handing it to the clients allocates
+/// nothing; sending to a client that does not keep up does.
+/// </para>
 /// </remarks>
 public sealed class WebSocketBroadcaster : IAsyncDisposable
 {
@@ -28,10 +33,11 @@ public sealed class WebSocketBroadcaster : IAsyncDisposable
     private readonly object _lock = new();
     private readonly WebSocketBroadcasterOptions _options;
     private readonly FrameQueue _queue;
-    private readonly MessageEncoder _encoder = new();
+    private readonly Func<AvatarFrame, WebSocketForm, MotionMessage?> _encode;
     private readonly Action<AvatarFrame> _publish;
     private readonly Timer _watchdog;
     private readonly Task _pump;
+    private readonly TaskCompletionSource _completion = new(TaskCreationOptions.RunContinuationsAsynchronously);
     private readonly TaskCompletionSource _served = new(TaskCreationOptions.RunContinuationsAsynchronously);
     private WebSocketClient[] _clients = [];
     private WebSocketBroadcasterStatistics _departed;
@@ -44,14 +50,25 @@ public sealed class WebSocketBroadcaster : IAsyncDisposable
     /// <exception cref="ArgumentException">An option is out of range; the message names it.</exception>
     /// <exception cref="ObjectDisposedException">The reader has been disposed.</exception>
     public WebSocketBroadcaster(NeuronReader reader, WebSocketBroadcasterOptions? options = null)
+        : this(reader, options, new MessageEncoder().Encode)
+    {
+    }
+
+    // Tests replace the encoder, which does not fail otherwise.
+    internal WebSocketBroadcaster(NeuronReader reader, WebSocketBroadcasterOptions? options, Func<AvatarFrame, WebSocketForm, MotionMessage?> encode)
     {
         ArgumentNullException.ThrowIfNull(reader);
         _options = (options ?? new WebSocketBroadcasterOptions()).CopyChecked(nameof(options));
         _queue = reader.OpenQueue(new FrameQueueOptions { Name = "websocket", WhenFull = WhenFull.DropOldest });
+        _encode = encode;
         _publish = Publish;
         _watchdog = new Timer(_ => AbortStuck(), state: null, CheckPeriod, CheckPeriod);
         _pump = Task.Run(PumpAsync);
     }
+
+    /// <summary>Completes when the reader has stopped or the broadcaster is disposed. No frame is taken from the reader after that.</summary>
+    /// <remarks>The task fails if a frame cannot be encoded, because memory is short or this library has an error. All clients are disconnected then.</remarks>
+    public Task Completion => _completion.Task;
 
     /// <summary>Gets the totals since the creation.</summary>
     /// <returns>A snapshot.</returns>
@@ -72,14 +89,14 @@ public sealed class WebSocketBroadcaster : IAsyncDisposable
     public IReadOnlyList<WebSocketClientStatistics> GetClients() => [.. Volatile.Read(ref _clients).Select(static client => client.Statistics)];
 
     /// <summary>Disconnects all clients, and takes no further frames from the reader. Can be called repeatedly.</summary>
-    /// <returns>A task that completes when the clients are served no more, which takes a few seconds at most.</returns>
+    /// <returns>A task that completes when the clients are served no more, which takes a few seconds at most. It does not fail.</returns>
     public async ValueTask DisposeAsync()
     {
         EndAll(WebSocketCloseStatus.EndpointUnavailable, Stopping);
         _queue.Dispose();
         await _pump.ConfigureAwait(false);
 
-        // A client that does not read ends with its time-out.
+        // The watchdog ends clients that do not read.
         await _served.Task.ConfigureAwait(false);
         await _watchdog.DisposeAsync().ConfigureAwait(false);
     }
@@ -102,9 +119,13 @@ public sealed class WebSocketBroadcaster : IAsyncDisposable
 
         try
         {
+            if (HttpProtocol.IsHttp11(context.Request.Protocol))
+                ConnectionSocket.Prepare(context.Features);
+
+            using LimitedInput input = context.Features.GetRequiredFeature<LimitedInput>();
             using WebSocket socket = await context.WebSockets.AcceptWebSocketAsync(
                 new WebSocketAcceptContext { SubProtocol = request.Subprotocol, KeepAliveInterval = KeepAliveInterval }).ConfigureAwait(false);
-            await ServeAsync(new WebSocketClient(socket, request, context), context).ConfigureAwait(false);
+            await ServeAsync(new WebSocketClient(socket, input, request, context), context).ConfigureAwait(false);
         }
         finally
         {
@@ -178,11 +199,13 @@ public sealed class WebSocketBroadcaster : IAsyncDisposable
                 _queue.Pump(_publish);
 
             EndAll(WebSocketCloseStatus.EndpointUnavailable, "The stream has ended.");
+            _completion.TrySetResult();
         }
-        catch (Exception)
+        catch (Exception exception)
         {
             EndAll(WebSocketCloseStatus.InternalServerError, "The server has failed.");
-            throw;
+            _queue.Dispose();
+            _completion.TrySetException(exception);
         }
     }
 
@@ -197,7 +220,7 @@ public sealed class WebSocketBroadcaster : IAsyncDisposable
                 if (client.Form != form)
                     continue;
 
-                message ??= _encoder.Encode(frame, form);
+                message ??= _encode(frame, form);
                 if (message is null)
                     break;
 

@@ -5,7 +5,7 @@ public sealed class WebSocketBroadcasterOptions
 {
     /// <summary>
     /// A word that every client must send: in the header <c>Authorization: Bearer WORD</c>, or in the query as <c>?token=WORD</c>. Null, the default, for none.
-    /// Without TLS, the network can read it.
+    /// In the query, special characters are percent-encoded. Spaces around the word are refused. Without TLS, the network can read it.
     /// </summary>
     public string? Token { get; set; }
 
@@ -44,6 +44,8 @@ public sealed class WebSocketBroadcasterOptions
     {
         if (Token is not null && (Token.Length == 0 || Token.Any(char.IsControl)))
             return "Token is empty or has a line break; set a word, or leave it null.";
+        if (Token is not null && Token.Trim().Length < Token.Length)
+            return "Token has spaces at its start or end, which a header does not carry; remove them.";
         if (AllowedOrigins.FirstOrDefault(static origin => !AllowedOrigin.IsValid(origin)) is { } wrong)
             return $"AllowedOrigins contains '{wrong}'; an origin is a scheme and a host, such as https://show.example, or null, or *.";
         if (MaxClients is < 1 or > 100_000)

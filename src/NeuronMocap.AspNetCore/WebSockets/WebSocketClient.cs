@@ -2,21 +2,25 @@ using System.Diagnostics;
 using System.Net;
 using System.Net.WebSockets;
 using System.Threading.Channels;
+using Microsoft.AspNetCore.Connections.Features;
 using Microsoft.AspNetCore.Http;
 
 namespace NeuronMocap.AspNetCore;
 
 /// <summary>One client: a loop that sends its newest messages, and a loop that reads what it sends, which nobody needs.</summary>
-internal sealed class WebSocketClient(WebSocket socket, WebSocketRequest request, HttpContext context)
+internal sealed class WebSocketClient(WebSocket socket, LimitedInput input, WebSocketRequest request, HttpContext context)
 {
     // Half a second at 120 Hz: packets are often recorded or relayed. Whoever draws wants the newest frame.
     private const int PacketsThatWait = 64;
-    private const int ViewsThatWait = 4;
+    private const int ViewsThatWait = 8;
 
     private const int LargestMessage = 4096;
     private const int MostMessages = 100;
 
     private static readonly TimeSpan CloseTimeout = TimeSpan.FromSeconds(2);
+
+    // Kestrel still has to send what is left.
+    private static readonly TimeSpan AbortTimeout = TimeSpan.FromSeconds(5);
 
     private readonly Mailbox _mailbox = new(request.Form == WebSocketForm.Packet ? PacketsThatWait : ViewsThatWait, request.MaxRate);
 
@@ -27,7 +31,7 @@ internal sealed class WebSocketClient(WebSocket socket, WebSocketRequest request
     private long _sent;
     private long _bytes;
     private long _sendingSince;
-    private int _isClosing;
+    private long _endedAt;
 
     public WebSocketForm Form => request.Form;
 
@@ -52,25 +56,27 @@ internal sealed class WebSocketClient(WebSocket socket, WebSocketRequest request
     /// <summary>Ends the connection after the messages that wait. Any thread; the first reason counts.</summary>
     public void End(WebSocketCloseStatus status, string reason)
     {
-        if (Interlocked.Exchange(ref _isClosing, 1) != 0)
+        if (Interlocked.CompareExchange(ref _endedAt, Stopwatch.GetTimestamp(), 0) != 0)
             return;
 
         _end = (status, reason);
         _wakeUp.Writer.TryComplete();
     }
 
-    /// <summary>Ends the connection if a message has waited too long for the client to read.</summary>
+    /// <summary>Ends the connection if a message has waited too long for the client to read. After <see cref="End"/>, all messages together have a short time.</summary>
     /// <param name="timeout">The longest wait.</param>
     public void AbortIfStuck(TimeSpan timeout)
     {
         long since = Interlocked.Read(ref _sendingSince);
-        if (since != 0 && Stopwatch.GetElapsedTime(since) > timeout)
+        long ended = Interlocked.Read(ref _endedAt);
+        if (since != 0 && (Stopwatch.GetElapsedTime(since) > timeout || (ended != 0 && Stopwatch.GetElapsedTime(ended) > CloseTimeout)))
             context.Abort();
     }
 
     /// <summary>Serves the client until one side ends the connection. Never throws.</summary>
     public async Task RunAsync()
     {
+        input.Exceeded = () => End(WebSocketCloseStatus.PolicyViolation, $"A client sends at most {LimitedInput.MostBytes} bytes in a second.");
         Task reading = ReadAsync();
         try
         {
@@ -86,12 +92,27 @@ internal sealed class WebSocketClient(WebSocket socket, WebSocketRequest request
         {
             _mailbox.Close();
 
-            // The handshake of the end is incomplete. Only the end of the connection ends a pending read.
+            // Without the client's half of the handshake, Kestrel closes the connection. The client gets what was sent before.
             if (!reading.IsCompleted)
-                context.Abort();
+            {
+                if (HttpProtocol.IsHttp11(context.Request.Protocol))
+                    _ = AbortLaterAsync(context.Features.Get<IConnectionLifetimeFeature>());
+
+                input.End();
+            }
 
             await reading.ConfigureAwait(false);
         }
+    }
+
+    // Only with HTTP/1.1: a connection of HTTP/2 serves other requests, too.
+    private static async Task AbortLaterAsync(IConnectionLifetimeFeature? connection)
+    {
+        if (connection is null)
+            return;
+
+        await Task.Delay(AbortTimeout).ConfigureAwait(false);
+        connection.Abort();
     }
 
     private async Task SendAllAsync()
@@ -151,12 +172,12 @@ internal sealed class WebSocketClient(WebSocket socket, WebSocketRequest request
         Interlocked.Exchange(ref _sendingSince, 0);
     }
 
-    // Reads until the client closes or misbehaves. Pings are answered inside.
+    // Reads until the client closes or misbehaves. Pings are answered inside. A fragment counts as a message, because it can be empty.
     private async Task ReadAsync()
     {
         byte[] buffer = new byte[LargestMessage];
         int length = 0;
-        int messages = 0;
+        int parts = 0;
         long second = Stopwatch.GetTimestamp();
         try
         {
@@ -172,13 +193,11 @@ internal sealed class WebSocketClient(WebSocket socket, WebSocketRequest request
                 length += result.Count;
                 if (length > LargestMessage)
                     End(WebSocketCloseStatus.MessageTooBig, $"A message of a client has at most {LargestMessage} bytes.");
-                if (!result.EndOfMessage)
-                    continue;
-
-                length = 0;
+                if (result.EndOfMessage)
+                    length = 0;
                 if (Stopwatch.GetElapsedTime(second) > TimeSpan.FromSeconds(1))
-                    (second, messages) = (Stopwatch.GetTimestamp(), 0);
-                if (++messages > MostMessages)
+                    (second, parts) = (Stopwatch.GetTimestamp(), 0);
+                if (++parts > MostMessages)
                     End(WebSocketCloseStatus.PolicyViolation, $"A client sends at most {MostMessages} messages in a second.");
             }
         }

@@ -16,7 +16,7 @@ public static class WebSocketEndpointExtensions
         ArgumentNullException.ThrowIfNull(endpoints);
         ArgumentNullException.ThrowIfNull(pattern);
         ArgumentNullException.ThrowIfNull(broadcaster);
-        IApplicationBuilder application = endpoints.CreateApplicationBuilder().UseWebSockets();
+        IApplicationBuilder application = endpoints.CreateApplicationBuilder().Use(LimitedInput.InsertAsync).UseWebSockets();
         application.Run(broadcaster.HandleAsync);
         return endpoints.Map(pattern, application.Build()).WithDisplayName($"Motion {pattern}");
     }

@@ -70,7 +70,7 @@ public sealed partial class BroadcasterOptions
     /// to this port, whichever way they were received.
     /// <para>
     /// Over TCP the broadcaster listens on this port and <see cref="BindAddress"/> whenever <see cref="Port"/> is set. 0 takes any free port. Read it
-    /// from <see cref="Broadcaster.CalculationEndPoint"/>. Over UDP, calculation packets go to this port of every destination, from a separate
+    /// from <see cref="Broadcaster.CalculationEndPoint"/>. Without <see cref="Port"/>, 0 only separates the packets for a server that accepts the clients. Over UDP, calculation packets go to this port of every destination, from a separate
     /// socket.
     /// </para>
     /// <para>A line of text does not name its avatar. With several avatars, only the order of the lines identifies the avatar.</para>

@@ -62,6 +62,8 @@ internal sealed class ConnectionArguments
             Reject(result, Trust, "needs a source tls://HOST:PORT: no other source has a certificate to check.");
         if (!source.IsEncrypted)
             Reject(result, TlsName, "needs a source tls://HOST:PORT: no other source has a certificate to check.");
+        if (source.IsEncrypted && result.GetResult(TlsName)?.Tokens is [{ Value: var name }] && string.IsNullOrWhiteSpace(name))
+            result.AddError("--tls-name: the name is empty. Give the name in the server's certificate, or leave the option out.");
         if (source.LocalAddress is not null)
             Reject(result, LocalAddress, $"and {source} exclude each other: both say where to receive.");
     }

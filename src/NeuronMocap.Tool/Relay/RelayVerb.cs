@@ -38,7 +38,7 @@ internal sealed class RelayVerb : Verb
     private readonly Option<string?> _token = new("--token")
     {
         HelpName = "WORD",
-        Description = "Clients of ws:// must send this word. Without TLS the network can read it.",
+        Description = "Clients of ws:// must send this word. In a query, write special characters percent-encoded, as in ?token=a%26b. Without TLS the network can read it.",
         Arity = ArgumentArity.ExactlyOne,
     };
 
@@ -168,8 +168,8 @@ internal sealed class RelayVerb : Verb
                 result.AddError($"{option.Name} needs a destination ws://:PORT: it is for its clients.");
         }
 
-        if (result.GetResult(_token)?.Tokens is [{ Value: var word }] && (word.Length == 0 || word.Any(char.IsControl)))
-            result.AddError("--token: the word is empty or has a line break.");
+        if (result.GetResult(_token)?.Tokens is [{ Value: var word }] && (word.Length == 0 || word.Trim().Length < word.Length || word.Any(char.IsControl)))
+            result.AddError("--token: the word is empty, or has a line break or spaces around it.");
         foreach (Token origin in result.GetResult(_allowOrigin)?.Tokens ?? [])
         {
             if (!AllowedOrigin.IsValid(origin.Value))

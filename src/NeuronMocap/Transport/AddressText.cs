@@ -11,13 +11,14 @@ internal static class AddressText
     private const string UdpScheme = "udp://";
     private const string TlsScheme = "tls://";
 
-    /// <summary>Parses the address of a server, with or without a leading tcp://.</summary>
+    /// <summary>Parses the address of a server, with or without a leading tcp://, or with a leading tls:// if <see cref="IsEncrypted"/>.</summary>
     /// <exception cref="FormatException">The text is not an address; the message says why.</exception>
-    public static (string Host, int Port) ParseServer(string text, int defaultPort)
+    public static (string Host, int Port) ParseServer(string text, int defaultPort, bool isEncrypted = false)
     {
+        string scheme = isEncrypted ? TlsScheme : TcpScheme;
         string word = text.Trim();
-        if (HasScheme(word, TcpScheme))
-            word = word[TcpScheme.Length..];
+        if (HasScheme(word, scheme))
+            word = word[scheme.Length..];
 
         (string host, string? port) = Split(word.TrimEnd('/'));
         if (host.Length == 0 || word.Contains("://", StringComparison.Ordinal) || host.Any(IsNotOfHost))
@@ -50,12 +51,8 @@ internal static class AddressText
         return (number, address);
     }
 
-    /// <summary>Gets the address as one of TCP. Null if the text does not begin with tls://.</summary>
-    public static string? WithoutTls(string text)
-    {
-        string word = text.Trim();
-        return HasScheme(word, TlsScheme) ? TcpScheme + word[TlsScheme.Length..] : null;
-    }
+    /// <summary>Whether the text begins with tls://.</summary>
+    public static bool IsEncrypted(string text) => HasScheme(text.Trim(), TlsScheme);
 
     private static bool HasScheme(string word, string scheme) => word.StartsWith(scheme, StringComparison.OrdinalIgnoreCase);
 

@@ -71,6 +71,8 @@ internal static class ConnectionMessages
         string target = options.Target;
         return reason switch
         {
+            ConnectionReason.Refused when options.Tls is not null =>
+                $"{target} refused the connection: nothing listens there. Check the address and the port of the server.",
             ConnectionReason.Refused =>
                 $"{target} refused the connection: nothing listens there. In Axis Neuron's broadcasting settings switch BVH on, choose TCP, "
                 + "and check that the port is the same.",

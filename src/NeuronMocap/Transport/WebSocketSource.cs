@@ -1,4 +1,6 @@
+using System.Net.Sockets;
 using System.Net.WebSockets;
+using System.Security.Authentication;
 using NeuronMocap.Transport;
 
 namespace NeuronMocap;
@@ -22,15 +24,19 @@ public sealed class WebSocketSource : ByteSource
 
     /// <summary>Creates a source without connecting.</summary>
     /// <param name="address">The address of the server: <c>ws://</c> or <c>wss://</c>, a host, and usually a port.</param>
-    /// <param name="token">The word that the server asks for; null for none. It is sent in the header <c>Authorization</c>.</param>
-    /// <exception cref="ArgumentException">The address has another scheme or is not absolute, or the token is empty or has a line break.</exception>
+    /// <param name="token">
+    /// The word that the server asks for; null for none. It is sent in the header <c>Authorization</c>. A word with characters other than those of ASCII goes into
+    /// the query of the address, percent-encoded: <c>?token=w%C3%B6rd</c>.
+    /// </param>
+    /// <exception cref="ArgumentException">The address has another scheme or is not absolute, or the token is empty, has spaces around it, or has characters other than those of
+    /// ASCII.</exception>
     public WebSocketSource(Uri address, string? token = null)
     {
         ArgumentNullException.ThrowIfNull(address);
         if (!address.IsAbsoluteUri || address.Scheme is not ("ws" or "wss"))
             throw new ArgumentException($"'{address}' is not the address of a WebSocket. Use ws://HOST:PORT or wss://HOST:PORT.", nameof(address));
-        if (token is not null && (token.Length == 0 || token.Any(char.IsControl)))
-            throw new ArgumentException("The token must be null, or a text without line breaks.", nameof(token));
+        if (token is not null && (token.Length == 0 || token.Trim().Length < token.Length || token.Any(static character => character is < ' ' or > '~')))
+            throw new ArgumentException("The token must be null, or ASCII characters without spaces around them. Other characters go into the query: ?token=w%C3%B6rd.", nameof(token));
 
         Address = address;
         _token = token;
@@ -81,17 +87,29 @@ public sealed class WebSocketSource : ByteSource
     {
         (ConnectionReason reason, string text) = answer switch
         {
+            400 => (ConnectionReason.Refused, "The server does not accept the request; check the query, such as rate."),
             401 => (ConnectionReason.AccessDenied, _token is null && Address.Query.Length == 0 ? "The server wants a token." : "The token is wrong."),
             403 => (ConnectionReason.AccessDenied, "The server does not allow this client."),
             404 => (ConnectionReason.Refused, "There is no motion at this path. Check the address."),
             503 => (ConnectionReason.Refused, "The server has no room for another client, or its stream has ended."),
             { } code and not SwitchingProtocols => (ConnectionReason.Refused, $"The server answers with status {code}. It may not be a server of motion."),
-            _ => (ReasonOf(failure), $"{failure.GetBaseException().Message.TrimEnd('.')}."),
+            _ => DescribeCause(failure),
         };
         return new NeuronConnectionException(reason, text);
     }
 
-    private static ConnectionReason ReasonOf(Exception failure) => failure.GetBaseException() is System.Net.Sockets.SocketException socket
-        ? SocketErrors.ToReason(socket.SocketErrorCode)
-        : ConnectionReason.NetworkError;
+    // Without an answer of a web server.
+    private (ConnectionReason Reason, string Text) DescribeCause(WebSocketException failure)
+    {
+        Exception cause = failure.GetBaseException();
+        ConnectionReason reason = cause is SocketException socket ? SocketErrors.ToReason(socket.SocketErrorCode) : ConnectionReason.NetworkError;
+        return reason switch
+        {
+            ConnectionReason.Refused => (reason, "Nothing listens on this port."),
+            ConnectionReason.HostNotFound => (reason, $"The host name '{Address.Host}' has no address. Check its spelling."),
+            ConnectionReason.Unreachable => (reason, "No route leads to the server. Check the address and the network."),
+            _ when cause is SocketException or AuthenticationException || failure.InnerException is null => (reason, $"{cause.Message.TrimEnd('.')}."),
+            _ => (reason, "There is no web server on this port."),
+        };
+    }
 }

@@ -53,6 +53,29 @@ public sealed class TlsTests
         Assert.Equal((ConnectionState.Stopped, ConnectionReason.ClosedByPeer), (reader.Status.State, reader.Status.Reason));
     }
 
+    [Fact]
+    public async Task Calculation_data_has_an_encrypted_port_of_its_own()
+    {
+        using X509Certificate2 certificate = Certificates.SelfSigned("localhost");
+        await using var broadcaster = new Broadcaster(new BroadcasterOptions { Sources = [new SyntheticSource()], Calculation = CalculationSynthesizer.Write, Port = null, CalculationPort = 0 });
+        broadcaster.Start();
+        await using WebServer motion = await WebServer.StartAsync(listen => listen.UseHttps(certificate).UseNeuronBroadcast(broadcaster));
+        await using WebServer calculation = await WebServer.StartAsync(listen => listen.UseHttps(certificate).UseNeuronBroadcast(broadcaster, calculation: true));
+        NeuronReaderOptions options = Options(motion, new() { TrustedCertificate = certificate });
+        options.CalculationPort = calculation.Port;
+        await using var reader = new NeuronReader(options);
+        reader.Start();
+        await Limits.UntilAsync(() => reader.GetStatistics() is { MotionFrames: > 2, CalculationFrames: > 2 });
+        Assert.Equal((2, 1), (broadcaster.GetStatistics().Clients, broadcaster.GetStatistics().CalculationClients));
+    }
+
+    [Fact]
+    public async Task A_broadcaster_without_separate_calculation_data_is_refused()
+    {
+        await using Broadcaster broadcaster = Start();
+        await Assert.ThrowsAsync<ArgumentException>("calculation", () => WebServer.StartAsync(listen => listen.UseNeuronBroadcast(broadcaster, calculation: true)));
+    }
+
     [Theory]
     [InlineData("localhost", null)]
     [InlineData("stage.example", "stage.example")]
@@ -132,7 +155,8 @@ public sealed class TlsTests
     public async Task Nothing_that_listens_is_refused_as_without_TLS()
     {
         var options = new NeuronReaderOptions { Port = FreePort.Next(), Tls = new NeuronTlsOptions() };
-        Assert.Contains("nothing listens there", await FailAsync(options, ConnectionReason.Refused), StringComparison.Ordinal);
+        Assert.Equal(
+            $"127.0.0.1:{options.Port} refused the connection: nothing listens there. Check the address and the port of the server.", await FailAsync(options, ConnectionReason.Refused));
     }
 
     [Fact]
@@ -169,7 +193,8 @@ public sealed class TlsTests
         Assert.Equal(("stage", 7443), (options.Host, options.Port));
         Assert.NotNull(options.Tls);
         Assert.Null(NeuronReaderOptions.Parse("stage:7443").Tls);
-        Assert.Throws<FormatException>(() => NeuronReaderOptions.Parse("tls://"));
+        Assert.StartsWith("'tls://' is not an address.", Assert.Throws<FormatException>(() => NeuronReaderOptions.Parse("tls://")).Message, StringComparison.Ordinal);
+        Assert.StartsWith("'x' in 'tls://stage:x' is not a port.", Assert.Throws<FormatException>(() => NeuronReaderOptions.Parse("tls://stage:x")).Message, StringComparison.Ordinal);
     }
 
     private static Broadcaster Start()

@@ -1,5 +1,9 @@
+using System.Net;
+using System.Net.Sockets;
 using System.Net.WebSockets;
+using System.Text;
 using Microsoft.AspNetCore.Builder;
+using Microsoft.AspNetCore.Server.Kestrel.Core;
 using NeuronMocap.Tests.Network;
 
 namespace NeuronMocap.AspNetCore.Tests.Infrastructure;
@@ -23,14 +27,14 @@ internal sealed class MotionSite : IAsyncDisposable
 
     public string Address => $"ws://127.0.0.1:{Web.Port}/motion";
 
-    public static async Task<MotionSite> StartAsync(WebSocketBroadcasterOptions? options = null, Action<WebApplication>? map = null)
+    public static async Task<MotionSite> StartAsync(WebSocketBroadcasterOptions? options = null, Action<WebApplication>? map = null, Action<ListenOptions>? listen = null)
     {
         var server = new TestServer();
         var reader = new NeuronReader(server.Options());
         var broadcaster = new WebSocketBroadcaster(reader, options);
         reader.Start();
         TestConnection motion = await server.AcceptAsync();
-        WebServer web = await WebServer.StartAsync(map: application =>
+        WebServer web = await WebServer.StartAsync(listen, application =>
         {
             application.MapNeuronWebSocket("/motion", broadcaster);
             map?.Invoke(application);
@@ -50,6 +54,38 @@ internal sealed class MotionSite : IAsyncDisposable
         await client.ConnectAsync(new Uri(Address + query), TestContext.Current.CancellationToken).Soon();
         await Limits.UntilAsync(() => Broadcaster.GetStatistics().Accepted > before);
         return client;
+    }
+
+    /// <summary>Connects a client for JSON without a library, which reads nothing by itself. The system holds little for it.</summary>
+    public async Task<Socket> ConnectRawAsync()
+    {
+        long before = Broadcaster.GetStatistics().Accepted;
+        var socket = new Socket(AddressFamily.InterNetwork, SocketType.Stream, ProtocolType.Tcp) { ReceiveBufferSize = 4096 };
+        await socket.ConnectAsync(new IPEndPoint(IPAddress.Loopback, Web.Port), TestContext.Current.CancellationToken).AsTask().Soon();
+        await socket.SendAsync(
+            Encoding.ASCII.GetBytes("GET /motion HTTP/1.1\r\nHost: localhost\r\nConnection: Upgrade\r\nUpgrade: websocket\r\nSec-WebSocket-Version: 13\r\nSec-WebSocket-Key: AAAAAAAAAAAAAAAAAAAAAA==\r\n\r\n"),
+            TestContext.Current.CancellationToken).AsTask().Soon();
+        await Limits.UntilAsync(() => Broadcaster.GetStatistics().Accepted > before);
+        return socket;
+    }
+
+    /// <summary>Sends frames until the only client for JSON takes no more, because it does not read.</summary>
+    public async Task FillAsync()
+    {
+        const int Burst = 20;
+        const int MostThatWait = 16;
+        const int Enough = 5;
+        int sent = 0;
+        for (int bursts = 0; bursts < Enough;)
+        {
+            long before = Find().FramesSent;
+            await Motion.SendAsync(TestPackets.Motions(sent + 1, Burst));
+            sent += Burst;
+            await Limits.UntilAsync(() => Find() is var now && now.FramesSent + now.FramesDropped >= sent - MostThatWait);
+            bursts = Find().FramesSent == before ? bursts + 1 : 0;
+        }
+
+        WebSocketClientStatistics Find() => Broadcaster.GetClients().Single(static client => client.Form == WebSocketForm.Json);
     }
 
     /// <summary>Waits until the clients together have got, or lost, this number of frames.</summary>

@@ -7,7 +7,7 @@ namespace NeuronMocap.AspNetCore.Tests.WebSockets;
 // Which requests are accepted, and what the others are told.
 public sealed class WebSocketRequestTests
 {
-    private static readonly WebSocketBroadcasterOptions Guarded = new() { Token = "wörd", AllowedOrigins = ["https://show.example", "null"] };
+    private static readonly WebSocketBroadcasterOptions Guarded = new() { Token = "wörd", AllowedOrigins = ["https://show.example", "https://bühne.example", "null"] };
 
     [Theory]
     [InlineData(401, "The token is missing or wrong.")]
@@ -17,6 +17,7 @@ public sealed class WebSocketRequestTests
     [InlineData(403, "The server does not allow pages of this origin.", "?token=w%C3%B6rd", "Origin", "https://evil.example")]
     [InlineData(403, "The server does not allow pages of this origin.", "?token=w%C3%B6rd", "Origin", "http://localhost.evil.example")]
     [InlineData(403, "The server does not allow pages of this origin.", "?token=w%C3%B6rd", "Origin", "http://show.example")]
+    [InlineData(403, "The server does not allow pages of this origin.", "?token=w%C3%B6rd", "Origin", "https://user@show.example")]
     [InlineData(400, "None of the subprotocols is known. Use json, packet or pose.", "?token=w%C3%B6rd", "Sec-WebSocket-Protocol", "mqtt, JSON")]
     [InlineData(400, "The rate is not a number from 0.01 to 1000.", "?token=w%C3%B6rd&rate=0")]
     [InlineData(400, "The rate is not a number from 0.01 to 1000.", "?token=w%C3%B6rd&rate=NaN")]
@@ -54,6 +55,7 @@ public sealed class WebSocketRequestTests
     [InlineData("?token=w%C3%B6rd", null)]
     [InlineData("?token=w%C3%B6rd", "https://show.example")]
     [InlineData("?token=w%C3%B6rd", "https://show.example:443")]
+    [InlineData("?token=w%C3%B6rd", "https://xn--bhne-0ra.example")]
     [InlineData("?token=w%C3%B6rd", "null")]
     [InlineData("?token=w%C3%B6rd", "http://localhost:8080")]
     [InlineData("?token=w%C3%B6rd", "http://127.0.0.1")]
@@ -102,6 +104,8 @@ public sealed class WebSocketRequestTests
     {
         await using var reader = new NeuronReader("127.0.0.1", 1);
         Assert.StartsWith("Token is empty", Fault(new() { Token = string.Empty }), StringComparison.Ordinal);
+        Assert.StartsWith("Token has spaces at its start or end", Fault(new() { Token = "word " }), StringComparison.Ordinal);
+        Assert.StartsWith("AllowedOrigins contains 'https://user@show.example'", Fault(new() { AllowedOrigins = ["https://user@show.example"] }), StringComparison.Ordinal);
         Assert.StartsWith("AllowedOrigins contains 'show.example'", Fault(new() { AllowedOrigins = ["show.example"] }), StringComparison.Ordinal);
         Assert.StartsWith("AllowedOrigins contains 'https://show.example/page'", Fault(new() { AllowedOrigins = ["https://show.example/page"] }), StringComparison.Ordinal);
         Assert.StartsWith("MaxClients is 0", Fault(new() { MaxClients = 0 }), StringComparison.Ordinal);

@@ -53,13 +53,14 @@ public sealed class WebSocketSourceTests
     [Theory]
     [InlineData("", null, ConnectionReason.AccessDenied, "The server wants a token.")]
     [InlineData("", "other", ConnectionReason.AccessDenied, "The token is wrong.")]
+    [InlineData("?rate=99999", "word", ConnectionReason.Refused, "The server does not accept the request; check the query, such as rate.")]
     [InlineData("x", "word", ConnectionReason.Refused, "There is no motion at this path. Check the address.")]
     public async Task A_refusal_says_why(string path, string? token, ConnectionReason reason, string why)
     {
         await using MotionSite site = await MotionSite.StartAsync(new WebSocketBroadcasterOptions { Token = "word" });
         await using var reader = new NeuronReader(Options(new WebSocketSource(new Uri($"{site.Address}{path}"), token)));
         NeuronConnectionException exception = await Assert.ThrowsAsync<NeuronConnectionException>(() => reader.StartAsync(TestContext.Current.CancellationToken).Soon());
-        Assert.Equal((reason, $"Opening {site.Address}{path} failed: {why}"), (exception.Reason, exception.Message));
+        Assert.Equal((reason, $"Opening {site.Address}{path.Split('?')[0]} failed: {why}"), (exception.Reason, exception.Message));
     }
 
     [Fact]
@@ -68,7 +69,16 @@ public sealed class WebSocketSourceTests
         int port = FreePort.Next();
         await using var nobody = new NeuronReader(Options(new WebSocketSource(new Uri($"ws://127.0.0.1:{port}"))));
         NeuronConnectionException exception = await Assert.ThrowsAsync<NeuronConnectionException>(() => nobody.StartAsync(TestContext.Current.CancellationToken).Soon());
-        Assert.Equal(ConnectionReason.Refused, exception.Reason);
+        Assert.Equal((ConnectionReason.Refused, $"Opening ws://127.0.0.1:{port} failed: Nothing listens on this port."), (exception.Reason, exception.Message));
+
+        using var motion = new TestServer();
+        await using var plain = new NeuronReader(Options(new WebSocketSource(new Uri($"ws://127.0.0.1:{motion.Port}"))));
+        Task<NeuronConnectionException> failing = Assert.ThrowsAsync<NeuronConnectionException>(() => plain.StartAsync(TestContext.Current.CancellationToken).Soon());
+        using (TestConnection connection = await motion.AcceptAsync())
+            await connection.SendAsync(TestPackets.Motions(1, 3));
+
+        exception = await failing;
+        Assert.Equal($"Opening ws://127.0.0.1:{motion.Port} failed: There is no web server on this port.", exception.Message);
 
         await using WebServer web = await WebServer.StartAsync(map: static application => application.MapGet("/", static () => "Hello"));
         await using var other = new NeuronReader(Options(new WebSocketSource(new Uri($"ws://127.0.0.1:{web.Port}"))));
@@ -116,6 +126,8 @@ public sealed class WebSocketSourceTests
         Assert.Throws<ArgumentException>(() => new WebSocketSource(new Uri("/motion", UriKind.Relative)));
         Assert.Throws<ArgumentException>(() => new WebSocketSource(new Uri("ws://studio"), string.Empty));
         Assert.Throws<ArgumentException>(() => new WebSocketSource(new Uri("ws://studio"), "a\r\nb"));
+        Assert.Throws<ArgumentException>(() => new WebSocketSource(new Uri("ws://studio"), " word"));
+        Assert.Throws<ArgumentException>(() => new WebSocketSource(new Uri("ws://studio"), "wörd"));
         Assert.Equal("wss://studio/motion", new WebSocketSource(new Uri("wss://studio/motion?token=secret")).Name);
     }
 

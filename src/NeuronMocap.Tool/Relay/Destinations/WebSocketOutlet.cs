@@ -1,6 +1,7 @@
 using System.Net;
 using Microsoft.AspNetCore.Builder;
 using Microsoft.AspNetCore.Hosting;
+using Microsoft.AspNetCore.Server.Kestrel.Transport.Sockets;
 using Microsoft.Extensions.DependencyInjection;
 using Microsoft.Extensions.Hosting;
 using NeuronMocap.AspNetCore;
@@ -13,8 +14,12 @@ internal sealed class WebSocketOutlet : Outlet
 {
     private static readonly TimeSpan CloseTimeout = TimeSpan.FromSeconds(3);
 
+    // What Kestrel holds for each client that does not read: about two lines of JSON.
+    private const int MostUnsent = 16 * 1024;
+
     private readonly WebApplication _application;
     private readonly WebSocketBroadcaster _broadcaster;
+    private bool _isStopped;
 
     private WebSocketOutlet(WebApplication application, WebSocketBroadcaster broadcaster, IPEndPoint endPoint, bool isOpen)
     {
@@ -42,8 +47,10 @@ internal sealed class WebSocketOutlet : Outlet
         builder.WebHost.UseKestrelCore().ConfigureKestrel(kestrel =>
         {
             kestrel.AddServerHeader = false;
+            kestrel.Limits.MaxResponseBufferSize = MostUnsent;
             kestrel.Listen(endPoint);
         });
+        builder.Services.Configure<SocketTransportOptions>(static transport => transport.MaxWriteBufferSize = MostUnsent);
         builder.Services.AddRoutingCore().AddSingleton<IHostLifetime, NoLifetime>();
         builder.Services.Configure<HostOptions>(static host => host.ShutdownTimeout = CloseTimeout);
         WebApplication application = builder.Build();
@@ -76,12 +83,22 @@ internal sealed class WebSocketOutlet : Outlet
     public override async Task<bool> FinishAsync(StandardStreams streams)
     {
         await DisposeAsync();
-        return true;
+        if (_broadcaster.Completion.Exception is not { } failure)
+            return true;
+
+        await streams.ComplainAsync($"{Name}: {failure.GetBaseException().Message}");
+        return false;
     }
 
     public override async ValueTask DisposeAsync()
     {
         await Task.WhenAny(_broadcaster.DisposeAsync().AsTask(), Task.Delay(CloseTimeout));
+
+        // Kestrel sends what is left. Disposing it alone resets the connections.
+        if (!_isStopped)
+            await _application.StopAsync();
+
+        _isStopped = true;
         await _application.DisposeAsync();
     }
 
