@@ -20,6 +20,9 @@ public abstract class ByteSource
     // How the streams of this source are read best.
     internal virtual ReceiveThread PreferredThread => ReceiveThread.Pool;
 
+    // What the source did not pass on because it cannot be right. Thread-safe.
+    internal virtual long RejectedMessages => 0;
+
     // Whether another attempt can follow the end of the bytes.
     internal virtual bool CanReopen => true;
 
