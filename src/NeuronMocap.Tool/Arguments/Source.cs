@@ -171,7 +171,8 @@ internal sealed record Source(SourceKind Kind)
     }
 
     // Only a whole address, or nothing, has no port. A number alone is meant as a port, although it could be read as an address.
-    private static bool HasPort(string rest) => rest.Length > 0 && !rest.EndsWith(']') && (rest.Contains(':', StringComparison.Ordinal) || !rest.Contains('.', StringComparison.Ordinal));
+    private static bool HasPort(string rest) =>
+        rest.Length > 0 && !rest.EndsWith(']') && (rest.Contains(':', StringComparison.Ordinal) || !rest.Contains('.', StringComparison.Ordinal));
 
     // The query may hold a token.
     private static Source ParseWebSocket(string text, string word) => Uri.TryCreate(word, UriKind.Absolute, out Uri? address) && address is { Host.Length: > 0, UserInfo.Length: 0, Port: > 0 }

@@ -66,7 +66,7 @@ public sealed partial class JsonPageTests
 
     [Theory]
     [InlineData("watch")]
-    [InlineData("relay", "demo", "tcp://127.0.0.1:0", "osc://127.0.0.1:9000", "--duration", "1.5")]
+    [InlineData("relay", "demo", "tcp://127.0.0.1:0", "--duration", "1.5")]
     [InlineData("diagnose", "demo", "--duration", "15")]
     [InlineData("command", "demo")]
     [InlineData("command", "demo", "bones")]
