@@ -258,7 +258,7 @@ public sealed partial class NeuronReader : IDisposable, IAsyncDisposable
 
     /// <summary>Gets what the reader has received so far. You can also call it after the end.</summary>
     /// <returns>A snapshot.</returns>
-    public ReaderStatistics GetStatistics() => _pipeline.GetStatistics();
+    public ReaderStatistics GetStatistics() => _pipeline.GetStatistics() with { RejectedMessages = _options.Source?.RejectedMessages ?? 0 };
 
     /// <summary>
     /// Gets what the reader has received so far of each avatar, in order of appearance; at most 1024 avatars. You can also call it after the end.

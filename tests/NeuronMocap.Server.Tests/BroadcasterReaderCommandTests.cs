@@ -1,3 +1,4 @@
+using System.Buffers.Binary;
 using NeuronMocap.Protocol;
 using NeuronMocap.Server.Clients;
 using NeuronMocap.Tests.Network;
@@ -84,6 +85,10 @@ public sealed class BroadcasterReaderCommandTests
             await PassAsync(client, first, cancel);
             other.Dispose();
             await SendUntilAsync(first, () => broadcaster.GetStatistics().Clients == 1);
+
+            // The client that left has not cancelled its registration, so the relay does.
+            byte[] unwanted = CancellationOf(ofGone);
+            Assert.Equal(unwanted, await ReceiveAsync(first, unwanted.Length));
         }
 
         // The request behind the registration is that of the client, so no other registration is repeated.
@@ -131,6 +136,32 @@ public sealed class BroadcasterReaderCommandTests
     }
 
     [Fact]
+    public async Task The_last_client_of_a_value_cancels_it_when_it_leaves()
+    {
+        using var server = new TestServer();
+        await using var reader = new NeuronReader(server.Options());
+        await using Broadcaster broadcaster = Broadcasts.Started(new BroadcasterOptions { Reader = reader, Port = 0 });
+        using TestClient one = await TestClient.ConnectAsync(broadcaster.LocalEndPoint, allowsCutEnd: true);
+        using TestClient two = await TestClient.ConnectAsync(broadcaster.LocalEndPoint, allowsCutEnd: true);
+        using TestClient three = await TestClient.ConnectAsync(broadcaster.LocalEndPoint, allowsCutEnd: true);
+        reader.Start();
+        using TestConnection source = await server.AcceptAsync();
+        await Limits.UntilAsync(() => reader.Status.IsConnected);
+        byte[] register = Register(DataCommandId.CombinationMode);
+        await PassAsync(one, source, register);
+        await PassAsync(two, source, register);
+        one.Dispose();
+        await SendUntilAsync(source, () => broadcaster.GetStatistics().Clients == 2);
+
+        // The request of the third client is the next that the server gets, so the first client cancelled nothing.
+        await PassAsync(three, source, Requests.Create((int)DataCommandId.AvatarCount, 0));
+        two.Dispose();
+        await SendUntilAsync(source, () => broadcaster.GetStatistics().Clients == 1);
+        Assert.Equal(CancellationOf(register), await ReceiveAsync(source, register.Length));
+        Assert.Equal(0, broadcaster.GetStatistics().RequestsDropped);
+    }
+
+    [Fact]
     public void Only_so_many_registrations_are_kept()
     {
         var registrations = new Registrations();
@@ -142,11 +173,19 @@ public sealed class BroadcasterReaderCommandTests
         Assert.True(registrations.Remove(63, client));
         Assert.True(registrations.Remove(64, client));
         Assert.Equal(63, registrations.Requests.Count());
-        registrations.Forget(client);
+        Assert.Equal(63, registrations.Forget(client).Count);
         Assert.Empty(registrations.Requests);
     }
 
     private static byte[] Register(DataCommandId id) => Requests.Create((int)DataCommandId.RegisterEvent, (int)id);
+
+    // The registration with another command, which is the number at byte 14.
+    private static byte[] CancellationOf(byte[] registration)
+    {
+        byte[] request = [.. registration];
+        BinaryPrimitives.WriteInt32LittleEndian(request.AsSpan(14), (int)DataCommandId.UnregisterEvent);
+        return request;
+    }
 
     private static async Task PassAsync(TestClient client, TestConnection source, byte[] request)
     {

@@ -96,6 +96,30 @@ public sealed class DirectLogTests
     }
 
     [Fact]
+    public async Task A_recipient_that_throws_goes_on_with_its_own_thread_and_costs_the_others_nothing()
+    {
+        (FrameCursor cursor, Recipient recipient) = CreateReader();
+        (FrameCursor failing, Recipient thrower) = CreateReader();
+        (FrameCursor last, Recipient later) = CreateReader();
+        thrower.Fault = new InvalidOperationException();
+        byte[] buffer = new byte[100];
+        await ReadAsync(cursor);
+        Task<FrameBatch> reading = await ReadAsync(failing, buffer);
+        await ReadAsync(last, new byte[100]);
+        _log.Publish(Units(1, 2));
+        Assert.Equal(new FrameBatch(4, 2), await reading.Soon());
+        Assert.Equal([1, 1, 2, 2], buffer[..4]);
+
+        reading = await ReadAsync(failing, buffer);
+        _log.Publish(Units(3));
+        Assert.Equal(new FrameBatch(2, 1), await reading.Soon());
+        Assert.Equal([1, 1, 2, 2, 3, 3], recipient.Taken);
+        Assert.Equal([1, 1, 2, 2, 3, 3], later.Taken);
+        Assert.Equal((0L, 0L, 0L), (_log.GetMissed(cursor), _log.GetMissed(failing), _log.GetMissed(last)));
+        _log.Abort();
+    }
+
+    [Fact]
     public async Task The_end_wakes_a_direct_reader_that_has_everything()
     {
         (FrameCursor cursor, _) = CreateReader();
@@ -143,8 +167,13 @@ public sealed class DirectLogTests
 
         public bool IsReady { get; set; } = true;
 
+        public Exception? Fault { get; set; }
+
         public int Take(UnitBatch units)
         {
+            if (Fault is not null)
+                throw Fault;
+
             int count = Math.Min(units.Count, Room);
             for (int i = 0; i < count; i++)
                 Taken.AddRange(units.BytesOf(i));

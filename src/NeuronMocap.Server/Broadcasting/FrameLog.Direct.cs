@@ -55,12 +55,22 @@ internal sealed partial class FrameLog
         SignalAll();
     }
 
-    // A recipient that has taken a unit in part writes the rest on its own thread.
+    // A recipient that has taken a unit in part writes the rest on its own thread. One that throws takes no more units here: its own thread goes on, meets
+    // the same fault and reports it. The units of the other recipients do not depend on it.
     private void Pass(UnitBatch units, FrameCursor cursor, IDirectRecipient direct)
     {
-        int taken = direct.Take(units);
+        int taken = 0;
+        try
+        {
+            taken = direct.Take(units);
+        }
+        catch (Exception)
+        {
+            cursor.Direct = null;
+        }
+
         cursor.MoveTo(_end + taken);
-        if (direct.IsReady && taken == units.Count)
+        if (cursor.Direct is not null && direct.IsReady && taken == units.Count)
             return;
 
         cursor.IsWoken = true;

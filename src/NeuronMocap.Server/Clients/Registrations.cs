@@ -37,14 +37,17 @@ internal sealed class Registrations
         return entry.Clients.Count == 0 && _entries.Remove(value);
     }
 
-    // Called when a client is gone.
-    public void Forget(object client)
+    // Called when a client is gone. Returns the requests that registered the values which nobody wants any more.
+    public IReadOnlyList<byte[]> Forget(object client)
     {
+        List<byte[]> unwanted = [];
         foreach ((int value, Entry entry) in _entries.ToArray())
         {
-            if (entry.Clients.Remove(client) && entry.Clients.Count == 0)
-                _entries.Remove(value);
+            if (entry.Clients.Remove(client) && entry.Clients.Count == 0 && _entries.Remove(value))
+                unwanted.Add(entry.Request);
         }
+
+        return unwanted;
     }
 
     private sealed class Entry(byte[] request)

@@ -6,7 +6,7 @@ namespace NeuronMocap.Server.Clients;
 /// <summary>Passes the requests of clients to the server that a reader is connected to, one after another on its own thread. Thread-safe.</summary>
 /// <remarks>
 /// A server that does not read makes only this thread wait. The replies arrive in the stream of the reader. A server forgets registrations with the
-/// connection, so the forwarder repeats them on the next one.
+/// connection, so the forwarder repeats them on the next one. It cancels those that a client leaves behind.
 /// </remarks>
 internal sealed class RequestForwarder
 {
@@ -53,11 +53,16 @@ internal sealed class RequestForwarder
         }
     }
 
-    // Called when a client is gone.
+    // Called when a client is gone. What it registered last is cancelled; the capacity limits the registrations, and so these requests.
     public void Forget(object client)
     {
         lock (_lock)
-            _registrations.Forget(client);
+        {
+            foreach (byte[] request in _registrations.Forget(client))
+                _waiting.Enqueue(new Entry(CreateCancellation(request), IsOfRelay: true));
+
+            Monitor.Pulse(_lock);
+        }
     }
 
     // Called when the reader has a new connection. Registrations come before the requests that wait.
@@ -67,7 +72,7 @@ internal sealed class RequestForwarder
         {
             _renewals.Clear();
             foreach (byte[] request in _registrations.Requests)
-                _renewals.Enqueue(new Entry(request, IsKept: true));
+                _renewals.Enqueue(new Entry(request, IsOfRelay: true));
 
             Monitor.Pulse(_lock);
         }
@@ -82,11 +87,19 @@ internal sealed class RequestForwarder
         }
     }
 
+    // The same bytes with another command: a server of this generation expects its own version and parameters.
+    private static byte[] CreateCancellation(byte[] registration)
+    {
+        byte[] request = [.. registration];
+        DataCommandHeader.WriteCommand(request, DataCommandId.UnregisterEvent);
+        return request;
+    }
+
     private void Run()
     {
         while (Take() is { } request)
         {
-            if (!_reader.TrySend(request.Bytes) && !request.IsKept)
+            if (!_reader.TrySend(request.Bytes) && !request.IsOfRelay)
                 Interlocked.Increment(ref _dropped);
         }
     }
@@ -102,6 +115,6 @@ internal sealed class RequestForwarder
         }
     }
 
-    // IsKept: a registration, which the next connection gets if this one cannot carry it.
-    private sealed record Entry(byte[] Bytes, bool IsKept);
+    // IsOfRelay: a registration, which the next connection gets if this one cannot carry it, or its cancellation, which then needs no connection.
+    private sealed record Entry(byte[] Bytes, bool IsOfRelay);
 }

@@ -1,3 +1,4 @@
+using System.Diagnostics;
 using System.Net;
 using System.Net.Sockets;
 using NeuronMocap.Transport;
@@ -7,9 +8,13 @@ namespace NeuronMocap.Server.Clients;
 /// <summary>A TCP connection of our own listener.</summary>
 internal sealed class SocketTransport : ClientTransport
 {
+    // Not every runtime ends a wait when its socket closes.
+    private const int PollMilliseconds = 100;
+
     private readonly Socket _socket;
     private readonly int _sendTimeout;
     private bool _isDirect;
+    private volatile bool _isDisposed;
 
     /// <summary>Takes over a socket.</summary>
     /// <param name="socket">The socket. It is not disposed if this throws.</param>
@@ -89,6 +94,7 @@ internal sealed class SocketTransport : ClientTransport
     // end.
     public override void Dispose()
     {
+        _isDisposed = true;
         try
         {
             _socket.Shutdown(SocketShutdown.Send);
@@ -101,5 +107,19 @@ internal sealed class SocketTransport : ClientTransport
         _socket.Dispose();
     }
 
-    private bool WaitForRoom() => _socket.Poll(_sendTimeout < 0 ? Timeout.Infinite : _sendTimeout * 1000, SelectMode.SelectWrite);
+    // Returns false when the time is over, or when this connection is disposed.
+    private bool WaitForRoom()
+    {
+        var watch = Stopwatch.StartNew();
+        while (!_isDisposed)
+        {
+            double left = _sendTimeout < 0 ? PollMilliseconds : Math.Min(_sendTimeout - watch.Elapsed.TotalMilliseconds, PollMilliseconds);
+            if (left <= 0)
+                return false;
+            if (_socket.Poll((int)(left * 1000), SelectMode.SelectWrite))
+                return true;
+        }
+
+        return false;
+    }
 }

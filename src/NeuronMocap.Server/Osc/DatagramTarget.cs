@@ -9,13 +9,16 @@ namespace NeuronMocap.Server.Osc;
 /// </summary>
 /// <remarks>
 /// Sending never waits. If the network or the name fails, the name is looked up again and a new socket is opened, after one second and then less and
-/// less often. A port that refuses keeps its socket, but a name may then belong to another computer, so it is looked up again too.
+/// less often. An address needs no look-up, so it is tried once a second. A port that refuses keeps its socket, but a name may then belong to another
+/// computer, so it is looked up again too.
 /// </remarks>
 /// <param name="host">A name or an address.</param>
 /// <param name="port">The port.</param>
 /// <param name="resolve">Looks a name up.</param>
 /// <param name="getTime">Returns the time in ticks of the stopwatch.</param>
-internal sealed class DatagramTarget(string host, int port, Func<string, Task<IPAddress[]>> resolve, Func<long> getTime) : IDisposable
+/// <param name="createSocket">Creates a socket of an address family; null for the system's.</param>
+internal sealed class DatagramTarget(
+    string host, int port, Func<string, Task<IPAddress[]>> resolve, Func<long> getTime, Func<AddressFamily, Socket>? createSocket = null) : IDisposable
 {
     private static readonly long FirstPause = Stopwatch.Frequency;
     private static readonly long LongestPause = 30 * Stopwatch.Frequency;
@@ -55,7 +58,7 @@ internal sealed class DatagramTarget(string host, int port, Func<string, Task<IP
         {
             // What worked for a while starts again with the first pause.
             long pause = now - _nextLook > LongestPause ? FirstPause : _pause;
-            _pause = Math.Min(2 * pause, LongestPause);
+            _pause = _literal is null ? Math.Min(2 * pause, LongestPause) : FirstPause;
             _nextLook = now + pause;
             _looksAgain = false;
             _resolving = _literal is { } known ? Task.FromResult<IPAddress[]>([known]) : ResolveAsync();
@@ -134,9 +137,11 @@ internal sealed class DatagramTarget(string host, int port, Func<string, Task<IP
     private void Open(IPAddress chosen)
     {
         Close();
-        var socket = new Socket(chosen.AddressFamily, SocketType.Dgram, ProtocolType.Udp) { Blocking = false };
+        Socket? socket = null;
         try
         {
+            socket = createSocket?.Invoke(chosen.AddressFamily) ?? new Socket(chosen.AddressFamily, SocketType.Dgram, ProtocolType.Udp);
+            socket.Blocking = false;
             if (chosen.AddressFamily == AddressFamily.InterNetwork)
                 socket.EnableBroadcast = true;
             socket.Connect(new IPEndPoint(chosen, port));
@@ -145,7 +150,7 @@ internal sealed class DatagramTarget(string host, int port, Func<string, Task<IP
         }
         catch (SocketException exception)
         {
-            socket.Dispose();
+            socket?.Dispose();
             Fail($"nothing can be sent to {host}:{port} ({exception.SocketErrorCode})");
         }
     }

@@ -34,6 +34,14 @@ internal static class OscHead
         Write(place, position.X);
     }
 
+    /// <summary>Whether all seven numbers of a transform are finite. The rotation is a unit quaternion, or not a number.</summary>
+    public static bool CanWrite(Vector3 position, Quaternion rotation)
+    {
+        // A product with zero is zero only for finite numbers, whose sum could be infinite.
+        Vector3 zero = position * 0;
+        return zero.X + zero.Y + zero.Z + (rotation.LengthSquared() * 0) == 0;
+    }
+
     // One to four zero bytes follow, up to a multiple of 4.
     private static byte[] Padded(string text)
     {

@@ -14,21 +14,17 @@ internal sealed class OscPoseEncoder(AvatarPoses poses, string prefix, OscSpace 
 {
     private const int TransformSize = 7 * sizeof(float);
 
-    private readonly BoneTransform[] _world = new BoneTransform[BoneHierarchy.BoneCount];
+    private readonly BoneTransform[] _sent = new BoneTransform[BoneHierarchy.BoneCount];
 
     public bool TryEncode(AvatarPose pose, OscBundle bundle)
     {
-        BoneTransform[] transforms = pose.Local;
-        if (!IsFinite(transforms))
+        if (!TryTransform(pose))
             return false;
 
         if (pose.Cache is not Heads heads || heads.Variant != pose.Variant)
             pose.Cache = heads = Create(pose);
-        if (space == OscSpace.World)
-            ForwardKinematics.ToWorld(pose.Local, transforms = _world, pose.Variant);
-
-        for (int bone = 0; bone < transforms.Length; bone++)
-            OscHead.Write(bundle.Add(heads.Bones[bone], TransformSize), transforms[bone].Position * scale, transforms[bone].Rotation);
+        for (int bone = 0; bone < _sent.Length; bone++)
+            OscHead.Write(bundle.Add(heads.Bones[bone], TransformSize), _sent[bone].Position, _sent[bone].Rotation);
 
         Span<byte> place = bundle.Add(heads.Frame, 2 * sizeof(int));
         OscHead.Write(place[sizeof(int)..], PoseTime.Seconds(pose.Timestamp, start));
@@ -37,12 +33,18 @@ internal sealed class OscPoseEncoder(AvatarPoses poses, string prefix, OscSpace 
         return true;
     }
 
-    private static bool IsFinite(BoneTransform[] transforms)
+    // Returns false if a number is not finite. Finite values of the stream can be too large to add or to scale.
+    private bool TryTransform(AvatarPose pose)
     {
-        foreach (ref readonly BoneTransform transform in transforms.AsSpan())
+        if (space == OscSpace.World)
+            ForwardKinematics.ToWorld(pose.Local, _sent, pose.Variant);
+        else
+            pose.Local.AsSpan().CopyTo(_sent);
+
+        foreach (ref BoneTransform transform in _sent.AsSpan())
         {
-            float sum = Vector3.Dot(transform.Position, Vector3.One) + transform.Rotation.LengthSquared();
-            if (float.IsNaN(sum) || float.IsInfinity(sum))
+            transform = new BoneTransform(transform.Position * scale, Quaternion.Normalize(transform.Rotation));
+            if (!OscHead.CanWrite(transform.Position, transform.Rotation))
                 return false;
         }
 

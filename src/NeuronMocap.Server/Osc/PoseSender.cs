@@ -72,7 +72,6 @@ public abstract class PoseSender : IDisposable, IAsyncDisposable
             });
         }
 
-        _target.Prepare();
         _ = Task.Run(() => RunAsync(_queue));
     }
 
@@ -83,6 +82,7 @@ public abstract class PoseSender : IDisposable, IAsyncDisposable
         FramesSent = Interlocked.Read(ref _sent),
         FramesDropped = Interlocked.Read(ref _dropped) + (_queue?.Dropped ?? 0),
         FramesIgnored = Interlocked.Read(ref _ignored),
+        FramesSkipped = _queue?.Skipped ?? 0,
         DatagramsSent = _target.Datagrams,
         DatagramsFailed = _target.Failed,
         BytesSent = _target.Bytes,
@@ -122,6 +122,8 @@ public abstract class PoseSender : IDisposable, IAsyncDisposable
         Exception? failure = null;
         try
         {
+            // A name is looked up while no frame has arrived yet.
+            _target.Prepare();
             while (await queue.WaitAsync().ConfigureAwait(false))
             {
                 queue.Pump<MotionFrame, AvatarPoses>(_poses, static (poses, frame) => poses.Take(frame), QueueCapacity);

@@ -14,6 +14,9 @@ public readonly record struct PoseSenderStatistics
     /// <summary>Number of frames that cannot be sent, or that the options leave out: other avatars, no 59 bones, values that are not finite.</summary>
     public long FramesIgnored { get; init; }
 
+    /// <summary>Number of frames that were left out because of <c>MaxRate</c>, of all avatars in the stream. No other figure includes them.</summary>
+    public long FramesSkipped { get; init; }
+
     /// <summary>Number of datagrams that were passed to the system.</summary>
     public long DatagramsSent { get; init; }
 

@@ -21,7 +21,7 @@ internal sealed class VmcEncoder(float scale, bool movesRoot, long start) : IPos
     public bool TryEncode(AvatarPose pose, OscBundle bundle)
     {
         (VmcRig rig, byte[][] heads) = _rigs[pose.Variant == SkeletonVariant.Spine3 ? 1 : 0] ??= Create(pose.Variant);
-        if (!rig.TryPose(pose.Local))
+        if (!rig.TryPose(pose.Local) || !CanScale(rig))
             return false;
 
         Vector3 hips = rig.Positions[0] * scale;
@@ -35,6 +35,17 @@ internal sealed class VmcEncoder(float scale, bool movesRoot, long start) : IPos
         OscHead.Write(bundle.Add(Loaded, sizeof(int)), 1);
         OscHead.Write(bundle.Add(Time, sizeof(float)), PoseTime.Seconds(pose.Timestamp, start));
         bundle.Flush();
+        return true;
+    }
+
+    private bool CanScale(VmcRig rig)
+    {
+        for (int node = 0; node < rig.Positions.Length; node++)
+        {
+            if (!OscHead.CanWrite(rig.Positions[node] * scale, rig.Rotations[node]))
+                return false;
+        }
+
         return true;
     }
 

@@ -34,11 +34,12 @@ public sealed class VmcSource : ByteSource
             throw new ArgumentOutOfRangeException(nameof(port), port, "The port must be 0 to 65535.");
 
         _endPoint = new IPEndPoint(address ?? IPAddress.Any, port);
+        Name = IsAny ? $"VMC port {port}" : $"VMC port {port} of {_endPoint.Address}";
         _avatarName = new AvatarName(avatarName);
     }
 
-    /// <summary>Gets the name for status messages, such as "VMC port 39539".</summary>
-    public override string Name => $"VMC port {_endPoint.Port}";
+    /// <summary>Gets the name for status messages, such as "VMC port 39539", or "VMC port 39539 of 192.168.1.5" if an address is given.</summary>
+    public override string Name { get; }
 
     /// <summary>Address and real port; null until the reader has opened the port. Thread-safe.</summary>
     public IPEndPoint? LocalEndPoint => Volatile.Read(ref _localEndPoint);
@@ -46,16 +47,19 @@ public sealed class VmcSource : ByteSource
     /// <summary>Number of datagrams that are not OSC, and of transforms with values that cannot be. Thread-safe.</summary>
     public long Rejected => Interlocked.Read(ref _rejected);
 
+    internal override long RejectedMessages => Rejected;
+
     /// <summary>Opens the port. The reader calls this method.</summary>
     /// <param name="cancellationToken">Not used, because a port opens at once.</param>
     /// <returns>A stream of motion packets. A read waits until a frame has arrived.</returns>
-    /// <exception cref="SocketException">The port is in use, or the address is not one of this computer.</exception>
+    /// <exception cref="NeuronConnectionException">The address is not one of this computer.</exception>
+    /// <exception cref="SocketException">The port is in use, or the system does not allow it.</exception>
     public override ValueTask<Stream> OpenAsync(CancellationToken cancellationToken)
     {
         var socket = new Socket(_endPoint.AddressFamily, SocketType.Dgram, ProtocolType.Udp);
         try
         {
-            socket.Bind(_endPoint);
+            Bind(socket);
             Volatile.Write(ref _localEndPoint, (IPEndPoint)socket.LocalEndPoint!);
             return new ValueTask<Stream>(new VmcStream(socket, new VmcDecoder(_avatarName), rejected => Interlocked.Add(ref _rejected, rejected)));
         }
@@ -69,4 +73,20 @@ public sealed class VmcSource : ByteSource
     // A thread of its own: the stream waits in blocking reads.
     internal override async ValueTask<ByteReceiver> OpenReceiverAsync(ReceiveThread wanted, CancellationToken cancellationToken) =>
         new BlockingStreamReceiver(await OpenAsync(cancellationToken).ConfigureAwait(false), leaveOpen: false);
+
+    private bool IsAny => _endPoint.Address.Equals(IPAddress.Any) || _endPoint.Address.Equals(IPAddress.IPv6Any);
+
+    private void Bind(Socket socket)
+    {
+        try
+        {
+            socket.Bind(_endPoint);
+        }
+        catch (SocketException exception) when (exception.SocketErrorCode == SocketError.AddressNotAvailable)
+        {
+            throw new NeuronConnectionException(
+                ConnectionReason.AddressUnavailable,
+                $"{_endPoint.Address} is not an address of this computer. A source receives on one of this computer's own addresses: choose one, or none to receive on all.");
+        }
+    }
 }

@@ -31,7 +31,7 @@ internal enum SourceKind
 }
 
 /// <summary>
-/// The meaning of SOURCE: HOST, HOST:PORT, tcp://HOST[:PORT], tls://HOST[:PORT], ws://HOST:PORT, udp:// or vmc://[ADDRESS]:PORT, amqp://HOST, a file, or demo.
+/// The meaning of SOURCE: HOST, HOST:PORT, tcp://HOST[:PORT], tls://HOST[:PORT], ws://HOST:PORT, udp://[ADDRESS]:PORT, vmc://[ADDRESS][:PORT], amqp://HOST, a file, or demo.
 /// </summary>
 /// <param name="Kind">The kind of the source.</param>
 internal sealed record Source(SourceKind Kind)
@@ -44,6 +44,9 @@ internal sealed record Source(SourceKind Kind)
 
     /// <summary>The forms of a source over TCP.</summary>
     public const string ServerForms = "HOST, HOST:PORT, tcp://HOST:PORT or demo";
+
+    /// <summary>The port of VMC if none is given: the usual one of programs that receive it.</summary>
+    public const int DefaultVmcPort = 39539;
 
     /// <summary>The start of a source that receives poses over VMC.</summary>
     public const string VmcScheme = "vmc://";
@@ -168,7 +171,7 @@ internal sealed record Source(SourceKind Kind)
     {
         try
         {
-            var options = NeuronReaderOptions.Parse(UdpScheme + rest);
+            var options = NeuronReaderOptions.Parse(UdpScheme + (HasPort(rest) ? rest : $"{rest}:{DefaultVmcPort}"));
             if (options.Port > 0)
                 return OfVmc(options.Port, options.LocalAddress);
         }
@@ -177,8 +180,12 @@ internal sealed record Source(SourceKind Kind)
             // The message would name another scheme.
         }
 
-        throw new FormatException($"'{text}' has no port that a program could send to. Use vmc://:PORT with a port from 1 to {IPEndPoint.MaxPort}; 39539 is usual.");
+        throw new FormatException($"'{text}' has no port that a program could send to. Use vmc://:PORT with a port from 1 to {IPEndPoint.MaxPort}; the port is {DefaultVmcPort} if it is left out.");
     }
+
+    // Only a whole address, or nothing, has no port. A number alone is meant as a port, although it could be read as an address.
+    private static bool HasPort(string rest) =>
+        rest.Length > 0 && !rest.EndsWith(']') && (rest.Contains(':', StringComparison.Ordinal) || !rest.Contains('.', StringComparison.Ordinal));
 
     // The query may hold a token.
     private static Source ParseWebSocket(string text, string word) => Uri.TryCreate(word, UriKind.Absolute, out Uri? address) && address is { Host.Length: > 0, UserInfo.Length: 0, Port: > 0 }

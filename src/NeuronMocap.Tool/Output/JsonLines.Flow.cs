@@ -37,6 +37,7 @@ internal sealed partial class JsonLines
         Json.WriteNumber("perSecond"u8, figures.PerSecond);
         Json.WriteNumber("clients"u8, figures.Clients);
         WriteTime(Stopwatch.GetTimestamp());
+        Json.WriteNumber("skipped"u8, figures.Skipped);
         return End();
     }
 
@@ -49,6 +50,7 @@ internal sealed partial class JsonLines
         {
             Json.WriteStartObject();
             WriteFlow(figures);
+            Json.WriteNumber("skipped"u8, figures.Skipped);
             Json.WriteEndObject();
         }
 

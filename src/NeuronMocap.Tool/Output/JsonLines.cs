@@ -115,6 +115,7 @@ internal sealed partial class JsonLines : FrameLines
         Json.WriteNumber("refusedDatagrams"u8, statistics.RefusedDatagrams);
         Json.WriteNumber("calculationReconnects"u8, statistics.CalculationReconnects);
         WriteTime(Stopwatch.GetTimestamp());
+        Json.WriteNumber("rejectedMessages"u8, statistics.RejectedMessages);
     }
 
     private void WriteAvatar(DiagnosedAvatar avatar)

@@ -43,7 +43,11 @@ internal sealed class LineOutput(NeuronReader reader, Stream output) : WatchOutp
     public static string DescribeEnd(ReaderStatistics statistics) => string.Create(
         CultureInfo.InvariantCulture,
         $"{statistics.MotionFrames} motion and {statistics.CalculationFrames + statistics.StudioCalculationFrames} calculation frames in {statistics.Duration.TotalSeconds:0.0} s; "
-        + $"lost {statistics.Lost}, dropped {statistics.Dropped}, skipped {statistics.BytesSkipped} bytes.");
+        + $"lost {statistics.Lost}, dropped {statistics.Dropped}, skipped {statistics.BytesSkipped} bytes{DescribeRejected(statistics, ", ")}.");
+
+    private static string DescribeRejected(ReaderStatistics statistics, string separator) => statistics.RejectedMessages > 0
+        ? string.Create(CultureInfo.InvariantCulture, $"{separator}rejected {statistics.RejectedMessages} messages")
+        : string.Empty;
 
     // If a server stops sending timecodes, the next line has none.
     private void TakeTimecodes(LatestFrames latest, IReadOnlyList<AvatarStatistics> avatars)
@@ -80,7 +84,7 @@ internal sealed class LineOutput(NeuronReader reader, Stream output) : WatchOutp
             ? string.Create(CultureInfo.InvariantCulture, $" buffer {size} of {status.RequestedReceiveBufferSize} bytes")
             : string.Empty;
         return line
-            .Append(CultureInfo.InvariantCulture, $"  lost {statistics.Lost} dropped {statistics.Dropped} skipped {statistics.BytesSkipped} bytes{buffer}")
+            .Append(CultureInfo.InvariantCulture, $"  lost {statistics.Lost} dropped {statistics.Dropped} skipped {statistics.BytesSkipped} bytes{DescribeRejected(statistics, " ")}{buffer}")
             .ToString();
     }
 

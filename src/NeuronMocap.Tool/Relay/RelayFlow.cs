@@ -15,7 +15,6 @@ internal sealed class RelayFlow(NeuronReader reader, string source, IReadOnlyLis
 {
     private const string Failed = "failed";
     private const string Dropping = "dropping";
-    private const string Refused = "refused";
     private const string Waiting = "waiting";
 
     private readonly RateMeter _received = new();
@@ -42,7 +41,9 @@ internal sealed class RelayFlow(NeuronReader reader, string source, IReadOnlyLis
         OutletFigures figures = outlet.GetFigures();
         string bytes = figures.Bytes is { } count ? $", {Quantity.Bytes(count)}" : string.Empty;
         string failure = figures.Failure is { } reason ? $"; failed: {reason}" : string.Empty;
-        return Quantity.Format($"{outlet.Name}: {figures.Sent} {outlet.Unit}, {figures.Dropped} dropped{bytes}{failure}");
+        string skipped = figures.Skipped is { } left ? Quantity.Format($", {left} left out by rate") : string.Empty;
+        string note = figures is { Sent: 0, Note: { } unsent } ? $"; {unsent.Text}" : string.Empty;
+        return Quantity.Format($"{outlet.Name}: {figures.Sent} {outlet.Unit}, {figures.Dropped} dropped{skipped}{bytes}{failure}{note}");
     }
 
     public string ToLine(DateTime now)
@@ -111,19 +112,19 @@ internal sealed class RelayFlow(NeuronReader reader, string source, IReadOnlyLis
 
         public bool IsHealthy => Figures.Failure is null && Figures.Note is null && _dropped.PerSecond == 0;
 
-        public string State => Code switch
+        public string State => this switch
         {
-            Failed => $"failed: {Figures.Failure}",
-            Dropping => "dropping: slow or not reachable",
-            Refused => Figures.Note!,
-            Waiting => "waiting for clients",
-            var code => code,
+            { Figures.Failure: { } failure } => $"failed: {failure}",
+            { Figures.Note: { } note } => note.Text,
+            { Code: Dropping } => "dropping: slow or not reachable",
+            { Code: Waiting } => "waiting for clients",
+            _ => Code,
         };
 
         private string Code => this switch
         {
             { Figures.Failure: not null } => Failed,
-            { Figures.Note: not null } => Refused,
+            { Figures.Note: { } note } => note.Code,
             { IsHealthy: false } => Dropping,
             { Figures.Clients: 0 } => Waiting,
             { PerSecond: 0 } => "idle",
@@ -135,6 +136,7 @@ internal sealed class RelayFlow(NeuronReader reader, string source, IReadOnlyLis
             Clients = Figures.Clients,
             Bytes = Figures.Bytes,
             Failure = Figures.Failure,
+            Skipped = Figures.Skipped,
         };
 
         public void Update(long now)

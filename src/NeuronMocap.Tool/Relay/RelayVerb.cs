@@ -18,7 +18,8 @@ internal sealed class RelayVerb : Verb
     {
         Description = $"Where packets go, once or more: {Destination.Forms}. tcp:// listens for clients on this computer; without an address, for every "
             + "computer. ws:// listens for browsers and other WebSocket clients; without an address, only for this computer. udp:// sends to a computer. "
-            + "vmc:// sends poses of one avatar to a program that shows it; osc:// sends poses of all as OSC messages. AVATAR is a number or a name. "
+            + "vmc:// sends poses of one avatar to a program that shows it; osc:// sends poses of all as OSC messages. AVATAR is a name, or a number: digits "
+            + $"always mean the number. Without a port, vmc:// means {Source.DefaultVmcPort}. "
             + "amqp:// publishes to a RabbitMQ broker; &stream=NAME keeps the take there. A file is written until the end.",
         Arity = ArgumentArity.OneOrMore,
         CustomParser = ParseDestinations,

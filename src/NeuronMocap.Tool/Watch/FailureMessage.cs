@@ -44,6 +44,9 @@ internal sealed class FailureMessage
         if (problem.Reason == ConnectionReason.EndOfRecording)
             return $"{problem.Describe()} It holds no frames.";
 
+        if (statistics.RejectedMessages > 0 && problem.Reason is ConnectionReason.None or ConnectionReason.NoData)
+            return $"{statistics.RejectedMessages} messages arrived that are not VMC, and no pose. Check that the other program sends VMC to this port.";
+
         // The run ended before the reader's silence check could identify the bytes.
         if (statistics.BytesSkipped > 0 && problem.Reason == ConnectionReason.None)
         {

@@ -18,6 +18,9 @@ internal sealed class MeanInterval
     private const double FasterRatio = 2.0 / 3;
     private const double SlowerRatio = 1.5;
 
+    // Arrivals that vary by up to this part of an interval change the mean of n intervals by at most an n-th of it.
+    private const double LargestJitter = 0.45;
+
     // Longer intervals are never measured.
     private static readonly long LongestInterval = Stopwatch.Frequency;
 
@@ -38,6 +41,9 @@ internal sealed class MeanInterval
 
     // Null before the first interval.
     public double? Ticks => _intervals > 0 ? _meanTicks / _meanSteps : null;
+
+    // The part of itself by which the mean may still be wrong. Almost nothing when the mean is complete.
+    public double Uncertainty => _intervals is > 0 and < MeanLength ? LargestJitter / _intervals : 0;
 
     // The next frame belongs to another connection. The time until then says nothing about the server's rate.
     public void Restart()

@@ -88,6 +88,12 @@ public readonly record struct ReaderStatistics
     /// <summary>Number of datagrams from senders that AllowedSenders does not list. They are dropped unread and count nowhere else.</summary>
     public long RefusedDatagrams { get; init; }
 
+    /// <summary>
+    /// Number of datagrams and messages that the source did not understand: <c>VmcSource.Rejected</c>. They are dropped and count nowhere else. 0 for other
+    /// sources and for connections.
+    /// </summary>
+    public long RejectedMessages { get; init; }
+
     /// <summary>When the first frame was received, in ticks of <see cref="Stopwatch"/>; 0 before the first frame.</summary>
     public long FirstFrameTimestamp { get; init; }
 

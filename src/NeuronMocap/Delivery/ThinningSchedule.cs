@@ -205,6 +205,10 @@ internal sealed class ThinningSchedule(FrameThinning thinning)
         if (isPause || _mean.Ticks is not { } interval)
             return ticks / _intervalWanted;
 
+        // A new stream may have the wanted rate itself. It then gets every frame, also while its mean is not known well.
+        if (Math.Abs(interval - _intervalWanted) <= (Tolerance + _mean.Uncertainty) * _intervalWanted)
+            return step;
+
         double ratio = _intervalWanted / interval;
         double whole = Math.Max(Math.Round(ratio), 1);
         double share = Math.Abs(ratio - whole) <= whole * Tolerance ? 1 / whole : 1 / ratio;

@@ -70,10 +70,13 @@ public readonly record struct DataCommandHeader
         Version.Write(target[2..]);
         BinaryPrimitives.WriteUInt32LittleEndian(target[6..], (uint)(ProtocolConstants.HeaderSize + PayloadSize));
         BinaryPrimitives.WriteUInt32LittleEndian(target[10..], DataCount);
-        BinaryPrimitives.WriteInt32LittleEndian(target[14..], (int)CommandId);
+        WriteCommand(target, CommandId);
         BinaryPrimitives.WriteInt32LittleEndian(target[18..], Parameter);
         BinaryPrimitives.WriteInt32LittleEndian(target[22..], Value);
     }
+
+    // Replaces the command of a header in bytes.
+    internal static void WriteCommand(Span<byte> header, DataCommandId command) => BinaryPrimitives.WriteInt32LittleEndian(header[14..], (int)command);
 
     internal static DataCommandHeader Read(ReadOnlySpan<byte> source) => new()
     {

@@ -18,6 +18,9 @@ public abstract partial class ByteSource
     /// </summary>
     public virtual string Name => "the stream";
 
+    // What the source did not pass on because it cannot be right. Thread-safe.
+    internal virtual long RejectedMessages => 0;
+
     // Whether another attempt can follow the end of the bytes.
     internal virtual bool CanReopen => true;
 

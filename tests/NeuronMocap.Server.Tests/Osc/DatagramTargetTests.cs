@@ -121,6 +121,43 @@ public sealed class DatagramTargetTests : IDisposable
         Assert.Equal(Bytes, Receive());
     }
 
+    // A computer without IPv6, or a process without free handles.
+    [Theory]
+    [InlineData("127.0.0.1")]
+    [InlineData("studio")]
+    public void A_socket_that_the_system_refuses_is_a_failure_until_it_grants_one(string host)
+    {
+        bool isRefusing = true;
+        using var target = new DatagramTarget(host, Port, static _ => Task.FromResult<IPAddress[]>([IPAddress.Loopback]), () => _now, family =>
+            isRefusing ? throw new SocketException((int)SocketError.TooManyOpenSockets) : new Socket(family, SocketType.Dgram, ProtocolType.Udp));
+        Assert.False(target.Prepare());
+        Assert.Equal($"nothing can be sent to {host}:{Port} (TooManyOpenSockets)", target.Failure);
+        isRefusing = false;
+        _now += Stopwatch.Frequency;
+        Assert.True(target.Prepare());
+        Assert.Null(target.Failure);
+        Assert.True(target.TrySend(Bytes, 4));
+        Assert.Equal(Bytes, Receive());
+    }
+
+    [Fact]
+    public void An_address_is_tried_once_a_second()
+    {
+        int attempts = 0;
+        using var target = new DatagramTarget("127.0.0.1", Port, static _ => throw new InvalidOperationException(), () => _now, _ =>
+        {
+            attempts++;
+            throw new SocketException((int)SocketError.NetworkDown);
+        });
+        for (int half = 0; half < 120; half++)
+        {
+            Assert.False(target.Prepare());
+            _now += Stopwatch.Frequency / 2;
+        }
+
+        Assert.Equal(60, attempts);
+    }
+
     private DatagramTarget Create(string host, Func<string, Task<IPAddress[]>> resolve) => new(host, Port, name => LookUp(name, resolve), () => _now);
 
     private Task<IPAddress[]> LookUp(string name, Func<string, Task<IPAddress[]>> resolve)

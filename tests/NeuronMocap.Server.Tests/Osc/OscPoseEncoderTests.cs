@@ -74,6 +74,32 @@ public sealed class OscPoseEncoderTests
         Assert.False(encoder.TryEncode(pose, new OscBundle(1400, static (_, _) => Assert.Fail("Something was sent."))));
     }
 
+    [Theory]
+    [InlineData(OscSpace.World)]
+    [InlineData(OscSpace.Local)]
+    public void Rotations_are_unit_quaternions(OscSpace space)
+    {
+        AvatarPose pose = Take(Poses.Frame());
+        for (int bone = 0; bone < pose.Local.Length; bone++)
+            pose.Local[bone] = pose.Local[bone] with { Rotation = pose.Local[bone].Rotation * 1.01f };
+
+        OscMessage[] messages = Poses.Decode(Poses.Encode(new OscPoseEncoder(_poses, "/neuron", space, 1, 0), pose));
+        Assert.All(messages[..^1], static message => Assert.InRange(Poses.TransformOf(message).Rotation.Length(), 0.99999f, 1.00001f));
+    }
+
+    // Each value is finite, but not its product with the scale, or the sum of two.
+    [Theory]
+    [InlineData(OscSpace.Local, 1e37f, 100)]
+    [InlineData(OscSpace.World, 3e38f, 1)]
+    public void No_infinity_is_sent(OscSpace space, float position, float scale)
+    {
+        float[] values = new float[354];
+        values[0] = values[6] = position;
+        AvatarPose pose = Take(new MotionFrame(new MotionHeader { HasDisplacement = true }, values));
+        var encoder = new OscPoseEncoder(_poses, "/neuron", space, scale, 0);
+        Assert.False(encoder.TryEncode(pose, new OscBundle(1400, static (_, _) => Assert.Fail("Something was sent."))));
+    }
+
     [Fact]
     public void Nothing_is_allocated()
     {

@@ -24,6 +24,15 @@ public sealed class VmcEncoderTests
     }
 
     [Fact]
+    public void No_infinity_is_sent()
+    {
+        float[] values = new float[180];
+        values[0] = 1e36f;
+        AvatarPose pose = Poses.Taken(new MotionFrame(new MotionHeader(), values));
+        Assert.False(new VmcEncoder(1e6f, false, 0).TryEncode(pose, new OscBundle(1400, static (_, _) => Assert.Fail("Something was sent."))));
+    }
+
+    [Fact]
     public void The_rest_pose_has_no_rotation()
     {
         var frame = new MotionFrame(new MotionHeader(), new float[180]);

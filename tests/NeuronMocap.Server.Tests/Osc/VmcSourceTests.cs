@@ -51,7 +51,7 @@ public sealed class VmcSourceTests
             socket.Send(datagram);
 
         Assert.True(await frames.WaitAsync(TestContext.Current.CancellationToken).Soon());
-        Assert.Equal(2, source.Rejected);
+        Assert.Equal((2, 2), (source.Rejected, reader.GetStatistics().RejectedMessages));
     }
 
     [Fact]
@@ -72,6 +72,19 @@ public sealed class VmcSourceTests
         await using var third = new NeuronReader(new NeuronReaderOptions { Source = new VmcSource(port, IPAddress.Loopback), Reconnect = { InitialDelay = TimeSpan.FromMilliseconds(1), MaxDelay = TimeSpan.FromMilliseconds(5) } });
         third.Start();
         await Limits.UntilAsync(() => third.Status.State is ConnectionState.Connected or ConnectionState.Receiving or ConnectionState.Silent);
+    }
+
+    [Fact]
+    public async Task An_address_of_another_computer_is_said()
+    {
+        // An address that documents may use, and no computer has.
+        var source = new VmcSource(39539, IPAddress.Parse("192.0.2.1"));
+        Assert.Equal("VMC port 39539 of 192.0.2.1", source.Name);
+        Assert.Equal("VMC port 39539", new VmcSource().Name);
+        await using var reader = new NeuronReader(new NeuronReaderOptions { Source = source, Reconnect = { Enabled = false } });
+        NeuronConnectionException fault = await Assert.ThrowsAsync<NeuronConnectionException>(() => reader.StartAsync().Soon());
+        Assert.Equal(ConnectionReason.AddressUnavailable, fault.Reason);
+        Assert.Contains("192.0.2.1 is not an address of this computer. A source receives on one of this computer's own addresses", fault.Message, StringComparison.Ordinal);
     }
 
     [Fact]

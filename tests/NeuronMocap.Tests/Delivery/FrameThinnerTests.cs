@@ -24,6 +24,22 @@ public sealed class FrameThinnerTests
         Assert.Equal((2000 + every - 1) / every, taken.Count);
     }
 
+    // A network delays each frame by up to 7 ms. The first intervals then look like those of a rate from 42 to 103 Hz.
+    [Theory]
+    [InlineData(60)]
+    [InlineData(60.5)]
+    [InlineData(59.94)]
+    public void A_stream_of_the_wanted_rate_keeps_every_frame_from_the_first_on(double streamRate)
+    {
+        for (int seed = 0; seed < 200; seed++)
+        {
+            var random = new Random(seed);
+            FrameThinner thinner = Thin(60);
+            Take(thinner, 1000, frame => (frame / streamRate) + (random.NextDouble() * 0.007));
+            Assert.Equal(0, thinner.Skipped);
+        }
+    }
+
     // With 125 Hz at most 60 Hz, two frames are 2 or 3 frames apart, and any ten steps together differ by one at most.
     [Theory]
     [InlineData(125, 60)]

@@ -59,7 +59,6 @@ public sealed class SourceAddressTests : AddressContract
     }
 
     [Theory]
-    [InlineData("vmc://")]
     [InlineData("vmc://39539")]
     [InlineData("vmc://:0")]
     [InlineData("vmc://:65536")]
@@ -67,8 +66,14 @@ public sealed class SourceAddressTests : AddressContract
     public void A_VMC_port_that_cannot_be_is_refused(string text)
     {
         string message = Assert.Throws<FormatException>(() => Read(text)).Message;
-        Assert.Equal($"'{text}' has no port that a program could send to. Use vmc://:PORT with a port from 1 to 65535; 39539 is usual.", message);
+        Assert.Equal($"'{text}' has no port that a program could send to. Use vmc://:PORT with a port from 1 to 65535; the port is 39539 if it is left out.", message);
     }
+
+    [Theory]
+    [InlineData("vmc://", "vmc://:39539")]
+    [InlineData("vmc://192.168.1.5", "vmc://192.168.1.5:39539")]
+    [InlineData("vmc://[::1]", "vmc://[::1]:39539")]
+    public void VMC_has_a_usual_port(string text, string expected) => Assert.Equal(expected, Read(text).ToString());
 
     protected override Address Parse(string address)
     {

@@ -144,7 +144,7 @@ public sealed class JsonLinesTests
                 ReceiveBufferSize = 212_992,
             })));
         Assert.Equal(
-            """{"type":"summary","frames":1,"calculationFrames":2,"lost":3,"dropped":4,"skippedBytes":5,"seconds":0,"gaps":6,"restarts":7,"reconnects":8,"studioCalculationFrames":9,"refusedDatagrams":10,"calculationReconnects":11,"time":0,"utc":"2026-01-02T03:04:05Z"}""" + "\n",
+            """{"type":"summary","frames":1,"calculationFrames":2,"lost":3,"dropped":4,"skippedBytes":5,"seconds":0,"gaps":6,"restarts":7,"reconnects":8,"studioCalculationFrames":9,"refusedDatagrams":10,"calculationReconnects":11,"time":0,"utc":"2026-01-02T03:04:05Z","rejectedMessages":12}""" + "\n",
             Encoding.UTF8.GetString(_lines.Summary(
                 new ReaderStatistics
                 {
@@ -159,6 +159,7 @@ public sealed class JsonLinesTests
                     StudioCalculationFrames = 9,
                     RefusedDatagrams = 10,
                     CalculationReconnects = 11,
+                    RejectedMessages = 12,
                 })));
     }
 

@@ -1,5 +1,6 @@
 using System.Net;
 using System.Reflection;
+using System.Runtime.CompilerServices;
 using System.Text;
 using System.Text.Json;
 using System.Text.RegularExpressions;
@@ -9,6 +10,7 @@ using NeuronMocap.Tests.Infrastructure;
 using NeuronMocap.Tool.Arguments;
 using NeuronMocap.Tool.Commands;
 using NeuronMocap.Tool.Output;
+using NeuronMocap.Tool.Relay.Destinations;
 using NeuronMocap.Tool.Tests.Infrastructure;
 
 namespace NeuronMocap.Tool.Tests.Output;
@@ -85,6 +87,24 @@ public sealed partial class JsonPageTests
         });
     }
 
+    [Fact]
+    public void Every_unit_and_every_scheme_is_named()
+    {
+        string[] units = [.. typeof(Outlet).Assembly.GetTypes().Where(static type => type.IsSubclassOf(typeof(Outlet)) && !type.IsAbstract)
+            .Select(static type => ((Outlet)RuntimeHelpers.GetUninitializedObject(type)).Unit)];
+        Assert.Contains("poses", units);
+        string unit = RowOf("opened", "unit");
+        Assert.All(units, word => Assert.Contains($"`{word}`", unit, StringComparison.Ordinal));
+
+        string source = RowOf("start", "source");
+        Assert.All(Scheme().Matches(Source.Forms), match => Assert.Contains($"`{match.Value}", source, StringComparison.Ordinal));
+        string destination = RowOf("opened", "destination");
+        Assert.All(Scheme().Matches(Destination.Forms), match => Assert.Contains($"`{match.Value}", destination, StringComparison.Ordinal));
+    }
+
+    private static string RowOf(string type, string field) =>
+        Page.SkipWhile(line => line != $"## {type}").First(line => line.StartsWith($"| `{field}` |", StringComparison.Ordinal));
+
     private static void Collect(JsonElement element, string path, SortedSet<string> fields)
     {
         if (element.ValueKind == JsonValueKind.Array)
@@ -153,6 +173,9 @@ public sealed partial class JsonPageTests
 
     [GeneratedRegex("^\\| `(?<code>[^`]+)` \\|", RegexOptions.ExplicitCapture, matchTimeoutMilliseconds: 1000)]
     private static partial Regex Code();
+
+    [GeneratedRegex("[a-z]+://", RegexOptions.ExplicitCapture, matchTimeoutMilliseconds: 1000)]
+    private static partial Regex Scheme();
 
     [GeneratedRegex("(?<!^)[A-Z]", RegexOptions.ExplicitCapture, matchTimeoutMilliseconds: 1000)]
     private static partial Regex Humps();

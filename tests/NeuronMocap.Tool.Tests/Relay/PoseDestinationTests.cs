@@ -70,6 +70,65 @@ public sealed class PoseDestinationTests : IDisposable
     }
 
     [Fact]
+    public async Task What_a_source_over_vmc_rejects_is_in_the_summary()
+    {
+        int port = FreePort.Next();
+        using var sender = new Socket(AddressFamily.InterNetwork, SocketType.Dgram, ProtocolType.Udp);
+        sender.Connect(IPAddress.Loopback, port);
+        byte[] pose = [.. Bundle("/VMC/Ext/Bone/Pos\0\0\0,sfffffff\0\0\0Hips\0\0\0\0", new byte[24], [0x3F, 0x80, 0, 0]), .. Part("/VMC/Ext/OK\0,i\0\0", [0, 0, 0, 1])];
+        Task<ToolResult> watching = ToolRunner.RunAsync("watch", $"vmc://127.0.0.1:{port}", "--json", "--frames", "3");
+        while (!watching.IsCompleted)
+        {
+            // The port may not be open yet. Afterwards each pose has garbage before it.
+            sender.Send("GET / HTTP/1.1"u8, SocketFlags.None, out _);
+            sender.Send(pose, SocketFlags.None, out _);
+            await Task.Yield();
+        }
+
+        ToolResult result = await watching;
+        Assert.Equal(0, result.ExitCode);
+        Assert.Matches("\"rejectedMessages\":[1-9]", result.Output[^1]);
+    }
+
+    [Fact]
+    public async Task A_performer_who_is_not_in_the_stream_is_said()
+    {
+        ToolResult result = await RelayAsync($"vmc://{_receiver.LocalEndPoint}/Nobody", "--pose-rate", "0");
+        Assert.EndsWith("; no performer 'Nobody'; arriving: Ann, Bob", Assert.Single(result.Output, static line => line.Contains(" poses, ", StringComparison.Ordinal)), StringComparison.Ordinal);
+
+        await using Broadcaster demo = Broadcaster.StartDemo();
+        await using var reader = new NeuronReader("127.0.0.1", demo.LocalEndPoint!.Port);
+        Assert.True(Destination.TryParse($"osc://{_receiver.LocalEndPoint}/7", out Destination? destination, out _));
+        await using Outlet outlet = destination.Open(reader, overwrite: false);
+        var flow = new RelayFlow(reader, "demo", [outlet]);
+        Assert.Contains(": idle, ", flow.ToLine(DateTime.Now), StringComparison.Ordinal);
+        reader.Start();
+        await Limits.UntilAsync(() =>
+        {
+            flow.Update();
+            return flow.ToLine(DateTime.Now).Contains($"  {outlet.Name}: no performer 7; arriving: 0, ", StringComparison.Ordinal);
+        });
+        Assert.Equal("unmatched", Assert.Single(flow.Figures).State);
+    }
+
+    [Fact]
+    public async Task Poses_that_a_rate_leaves_out_are_in_the_summary()
+    {
+        ToolResult result = await RelayAsync($"vmc://{_receiver.LocalEndPoint}/Bob", "--pose-rate", "0.01");
+        Assert.Contains(result.Output, static line => line.Contains(": 1 poses, 0 dropped, 14 left out by rate, ", StringComparison.Ordinal));
+    }
+
+    [Theory]
+    [InlineData("vmc://studio", "vmc://studio:39539")]
+    [InlineData("VMC://[::1]/Bob", "vmc://[::1]:39539/Bob")]
+    [InlineData("vmc://127.0.0.1:1/0", "vmc://127.0.0.1:1/0")]
+    public void Vmc_has_a_usual_port(string text, string expected)
+    {
+        Assert.True(Destination.TryParse(text, out Destination? destination, out _));
+        Assert.Equal(expected, destination.Text);
+    }
+
+    [Fact]
     public async Task A_host_name_without_an_address_is_one_line()
     {
         // No name server is asked for such a name.
@@ -108,7 +167,9 @@ public sealed class PoseDestinationTests : IDisposable
     }
 
     [Theory]
-    [InlineData("'vmc://:39539' names no computer and port to send to. Use vmc://HOST:PORT, or vmc://HOST:PORT/AVATAR.", "demo", "vmc://:39539")]
+    [InlineData("'vmc://:39539' names no computer to send to. Use vmc://HOST:PORT, or vmc://HOST:PORT/AVATAR. The port is 39539 if it is left out.", "demo", "vmc://:39539")]
+    [InlineData("'vmc://39539' names no computer to send to.", "demo", "vmc://39539")]
+    [InlineData("'vmc://studio:0' names no computer to send to.", "demo", "vmc://studio:0")]
     [InlineData("'osc://studio/0' names no computer and port", "demo", "osc://studio/0")]
     [InlineData("vmc://a:1/0 and osc://a:1 are the same destination.", "demo", "vmc://a:1/0", "osc://a:1")]
     [InlineData("vmc://127.0.0.1:7012 would send the source udp://:7012 to itself.", "udp://:7012", "vmc://127.0.0.1:7012")]
@@ -127,6 +188,17 @@ public sealed class PoseDestinationTests : IDisposable
         ToolResult result = await ToolRunner.RunAsync(["relay", .. arguments]);
         Assert.Equal(2, result.ExitCode);
         Assert.Contains(expected, Assert.Single(result.Error), StringComparison.Ordinal);
+    }
+
+    private static byte[] Bundle(string head, params byte[][] arguments) => [.. Encoding.ASCII.GetBytes("#bundle\0\0\0\0\0\0\0\0\u0001"), .. Part(head, arguments)];
+
+    // One message of a bundle, behind its length.
+    private static byte[] Part(string head, params byte[][] arguments)
+    {
+        byte[] message = [.. Encoding.ASCII.GetBytes(head), .. arguments.SelectMany(static argument => argument)];
+        byte[] length = new byte[4];
+        BinaryPrimitives.WriteInt32BigEndian(length, message.Length);
+        return [.. length, .. message];
     }
 
     // Every frame of the file was sent, or a newer one took its place. The last frame of each avatar is always sent.

@@ -15,7 +15,7 @@ internal abstract record Destination(string Text)
         ("tcp://[ADDRESS]:PORT", StartsWith(TcpDestination.Scheme), TcpDestination.Parse),
         ("ws://[ADDRESS]:PORT", StartsWith(WebSocketDestination.Scheme), WebSocketDestination.Parse),
         ("udp://HOST:PORT", StartsWith(UdpDestination.Scheme), UdpDestination.Parse),
-        ("vmc://HOST:PORT[/AVATAR]", StartsWith(VmcDestination.Scheme), VmcDestination.Parse),
+        ("vmc://HOST[:PORT][/AVATAR]", StartsWith(VmcDestination.Scheme), VmcDestination.Parse),
         ("osc://HOST:PORT[/AVATAR]", StartsWith(OscDestination.Scheme), OscDestination.Parse),
         (RabbitMqDestination.Form, StartsWith(RabbitMqDestination.Scheme), RabbitMqDestination.Parse),
         ("FILE.nmrec", static text => FileKinds.OfName(text) == FileKind.Recording, static text => new RecordingDestination(text)),

@@ -16,9 +16,17 @@ internal readonly record struct OutletFigures(long Sent, long Dropped)
     /// <summary>Why nothing more can be sent; null if it can.</summary>
     public string? Failure { get; init; }
 
+    /// <summary>Number of units that were left out on request; null if none can be.</summary>
+    public long? Skipped { get; init; }
+
     /// <summary>What the user may want to know about the last second; null for nothing.</summary>
-    public string? Note { get; init; }
+    public OutletNote? Note { get; init; }
 }
+
+/// <summary>What the user may want to know about a destination.</summary>
+/// <param name="Code">The state for scripts, as in docs/reference/json.md.</param>
+/// <param name="Text">The note for people.</param>
+internal sealed record OutletNote(string Code, string Text);
 
 /// <summary>A destination that is being served.</summary>
 internal abstract class Outlet : IAsyncDisposable

@@ -4,8 +4,14 @@ using NeuronMocap.Tool.Terminal;
 namespace NeuronMocap.Tool.Relay.Destinations;
 
 /// <summary>A program that gets poses.</summary>
-internal sealed class PoseOutlet(PoseSender sender, string name) : Outlet
+/// <param name="sender">Sends the poses.</param>
+/// <param name="reader">Receives the poses.</param>
+/// <param name="name">The destination, for the user.</param>
+/// <param name="avatar">Says which avatar the destination gets; null for any.</param>
+internal sealed class PoseOutlet(PoseSender sender, NeuronReader reader, string name, NamedAvatar? avatar) : Outlet
 {
+    private static readonly OutletNote NoReceiver = new("refused", "no program receives on that port");
+
     private long _refusals;
 
     public override string Name => name;
@@ -24,8 +30,19 @@ internal sealed class PoseOutlet(PoseSender sender, string name) : Outlet
         {
             Bytes = statistics.BytesSent,
             Failure = statistics.Failure ?? sender.Completion.Exception?.InnerException?.Message,
-            Note = isRefused ? "no program receives on that port" : null,
+            Skipped = statistics.FramesSkipped,
+            Note = isRefused ? NoReceiver : DescribeMissing(),
         };
+    }
+
+    // A name that is mistyped looks like a performer who is not there yet.
+    private OutletNote? DescribeMissing()
+    {
+        if (avatar is null)
+            return null;
+
+        AvatarStatistics[] arriving = [.. reader.GetAvatarStatistics().Where(static candidate => candidate is { Kind: PacketKind.Motion, Frames: > 0 })];
+        return arriving.Length == 0 || Array.Exists(arriving, avatar.Is) ? null : new OutletNote("unmatched", avatar.DescribeMissing(arriving));
     }
 
     // A receiver that is off is no fault of the relay.

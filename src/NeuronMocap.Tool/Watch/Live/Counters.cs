@@ -21,6 +21,7 @@ internal sealed class Counters
             Restarts = total.Restarts - _totalAtReset.Restarts,
             Dropped = total.Dropped - _totalAtReset.Dropped,
             BytesSkipped = total.BytesSkipped - _totalAtReset.BytesSkipped,
+            RejectedMessages = total.RejectedMessages - _totalAtReset.RejectedMessages,
         };
         Avatars = [.. avatars.Select(Since)];
     }

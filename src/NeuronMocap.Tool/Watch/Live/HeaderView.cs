@@ -83,7 +83,7 @@ internal static class HeaderView
                 ? [$"UDP port {port}", $"receive buffer {Quantity.Memory(granted)} of {Quantity.Memory(requested)}"]
                 : [$"UDP port {port}"];
         if (state.Connection.VmcPort is { } poses)
-            return [$"VMC port {poses}"];
+            return state.Connection.LocalAddress is { } own ? [$"VMC port {poses} of {own}"] : [$"VMC port {poses}"];
 
         if (state.Connection.Broker is { } broker)
             return [broker.ToString()];
