@@ -49,7 +49,7 @@ public sealed class RabbitMqPublisher : IAsyncDisposable, IDisposable
         _queue = reader.OpenQueue(new FrameQueueOptions { Capacity = QueueCapacity, WhenFull = WhenFull.DropOldest, Name = "rabbitmq" });
     }
 
-    /// <summary>Raised after each change of <see cref="Status"/>, on a pool thread. Handlers must return soon and must not throw.</summary>
+    /// <summary>Raised after each change of <see cref="Status"/>, on a pool thread. Handlers must return soon. Their exceptions are ignored.</summary>
     public event Action<RabbitMqPublisherStatus>? StatusChanged;
 
     /// <summary>Whether frames reach the broker, and why not. Thread-safe.</summary>
@@ -214,6 +214,13 @@ public sealed class RabbitMqPublisher : IAsyncDisposable, IDisposable
             _status = status;
         }
 
-        StatusChanged?.Invoke(status);
+        try
+        {
+            StatusChanged?.Invoke(status);
+        }
+        catch (Exception)
+        {
+            // A handler that throws must not end publishing, nor leave a connection open.
+        }
     }
 }

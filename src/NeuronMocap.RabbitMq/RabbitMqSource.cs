@@ -75,17 +75,19 @@ public sealed class RabbitMqSource : ByteSource
     {
         BrokerConnection connection = await BrokerConnection.OpenAsync(
             _options, $"NeuronMocap source, stage {_options.Stage}", channelOptions: null, cancellationToken).ConfigureAwait(false);
+        PacketConsumer? consumer = null;
         try
         {
             // The pipe's threads run the reader; without schedulers, the connection would.
             var pipe = new Pipe(new PipeOptions(pauseWriterThreshold: PipeSize, resumeWriterThreshold: PipeSize / 2, useSynchronizationContext: false));
-            var consumer = new PacketConsumer(connection.Channel, _state, pipe.Writer, _options);
+            consumer = new PacketConsumer(connection.Channel, _state, pipe.Writer, _options);
             await ConsumeAsync(connection.Channel, consumer, cancellationToken).ConfigureAwait(false);
             _state.CountConnection();
             return new PacketStream(connection, consumer, pipe.Reader, () => Volatile.Write(ref _isOpen, 0));
         }
         catch (Exception exception)
         {
+            consumer?.Stop();
             await connection.CloseAsync().ConfigureAwait(false);
             cancellationToken.ThrowIfCancellationRequested();
             throw BrokerFault.Of(exception, _options);

@@ -4,14 +4,18 @@ using NeuronMocap.Tests.RabbitMq;
 
 namespace NeuronMocap.RabbitMq.Tests;
 
-public sealed class KillTests
+/// <summary>Tests that end the broker of all tests run while no other test does.</summary>
+[CollectionDefinition(nameof(KillTests), DisableParallelization = true)]
+public sealed class KillCollection;
+
+[Collection(nameof(KillTests))]
+public sealed class KillTests(SharedBroker shared)
 {
     // The broker ends as in a power failure while frames arrive, and starts again. Each phase ends with a condition, not after a time.
     [Fact]
     public async Task After_the_broker_was_killed_both_sides_resume_and_count_what_is_missing()
     {
-        Assert.SkipWhen(Broker.Missing is not null, Broker.Missing ?? string.Empty);
-        await using Broker broker = await Broker.StartAsync();
+        Broker broker = await shared.GetAsync();
         await using Stage live = await Stage.StartAsync(broker, "live");
         await using Stage take = await Stage.StartAsync(broker, "take", "take");
         await using Audience audience = await Audience.StartAsync(broker, "live");

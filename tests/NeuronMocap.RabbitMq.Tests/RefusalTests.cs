@@ -102,6 +102,16 @@ public sealed class RefusalTests(SharedBroker shared)
         await Assert.ThrowsAsync<InvalidOperationException>(() => publisher.StartAsync(TestContext.Current.CancellationToken));
     }
 
+    [Fact]
+    public async Task A_handler_of_the_status_that_throws_does_not_hide_the_reason()
+    {
+        await using var reader = new NeuronReader(new MemoryStream());
+        await using var publisher = new RabbitMqPublisher(reader, new RabbitMqPublisherOptions { Host = "127.0.0.1", Port = FreePort.Next() });
+        publisher.StatusChanged += static _ => throw new InvalidOperationException("The window is gone.");
+
+        await Assert.ThrowsAsync<NeuronConnectionException>(() => publisher.StartAsync(TestContext.Current.CancellationToken).Soon());
+    }
+
     private static TcpListener Listen(string fault)
     {
         var listener = new TcpListener(IPAddress.Loopback, FreePort.Next());

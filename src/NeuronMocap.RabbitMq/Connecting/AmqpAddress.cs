@@ -16,6 +16,10 @@ internal static class AmqpAddress
         if (!word.StartsWith(Scheme, StringComparison.OrdinalIgnoreCase) || !Uri.TryCreate(word, UriKind.Absolute, out Uri? address) || address.Host.Length == 0)
             throw new FormatException($"'{Redact(word)}' is not the address of a broker. Use {Form}.");
 
+        // A password with '/' or '?' ends the host too early. The rest of it would be shown as a virtual host or a name.
+        if (word.LastIndexOf('@') > address.GetLeftPart(UriPartial.Authority).Length)
+            throw new FormatException($"'{Redact(word)}' has an '@' behind its host. In names and passwords, write %2F for '/', %3F for '?' and %40 for '@'.");
+
         options.Host = address.DnsSafeHost;
         options.Port = address.Port switch
         {
@@ -63,11 +67,25 @@ internal static class AmqpAddress
     public static string EndPoint(RabbitMqOptions options) =>
         options.Host.Contains(':') ? $"[{options.Host}]:{options.Port}" : $"{options.Host}:{options.Port}";
 
-    // Everything before the last '@' may be a password, also in a text that is no address.
+    // Everything before the last '@' may be a password, also in a text that is no address. If the host is missing, it is behind a colon.
     private static string Redact(string text)
     {
         int at = text.LastIndexOf('@');
-        return at < 0 ? text : $"{Scheme}...{text.Substring(at)}";
+        if (at >= 0)
+            return $"{Scheme}...{text.Substring(at)}";
+
+        int start = text.IndexOf("://", StringComparison.Ordinal);
+        int colon = start < 0 ? -1 : text.IndexOf(':', start + 1);
+        return colon < 0 || IsPort(text, colon + 1) ? text : $"{text.Substring(0, colon)}:...";
+    }
+
+    private static bool IsPort(string text, int start)
+    {
+        int end = start;
+        while (end < text.Length && text[end] is >= '0' and <= '9')
+            end++;
+
+        return end == text.Length || text[end] is '/' or '?';
     }
 
     private static void ReadUser(string info, RabbitMqOptions options)

@@ -63,6 +63,8 @@ internal static class BrokerFault
             NotFound when reason.ReplyText.Contains("inaccessible", StringComparison.Ordinal) =>
                 new(ConnectionReason.NetworkError, $"The broker {broker} has not opened the stream after its start ({reason.ReplyText})."),
             NotFound => new(ConnectionReason.NetworkError, $"The broker {broker} has no stream or exchange of this name ({reason.ReplyText})."),
+            PreconditionFailed when reason.ReplyText.Contains("acknowledgement", StringComparison.Ordinal) => new(
+                ConnectionReason.ClosedByPeer, $"The broker {broker} closed the connection, because the reader took no frames for too long ({reason.ReplyText})."),
             PreconditionFailed => new(
                 ConnectionReason.NetworkError, $"The broker {broker} has a queue or exchange of this name with other settings ({reason.ReplyText})."),
             _ => new(ConnectionReason.ClosedByPeer, $"The connection to the broker {broker} was lost ({reason.ReplyText})."),

@@ -1,3 +1,4 @@
+using System.Diagnostics.CodeAnalysis;
 using System.IO.Pipelines;
 using NeuronMocap.RabbitMq.Connecting;
 using RabbitMQ.Client;
@@ -7,15 +8,32 @@ namespace NeuronMocap.RabbitMq.Consuming;
 
 // Writes the packets of one connection into a pipe. The client calls it for one message at a time. While the pipe is full it waits, and acknowledges
 // nothing, so the messages stay on the broker.
-internal sealed class PacketConsumer(IChannel channel, SourceState state, PipeWriter writer, RabbitMqSourceOptions options) : AsyncDefaultBasicConsumer(channel)
+[SuppressMessage("Design", "CA1001", Justification = "Stop disposes the timer. The semaphore holds no handle.")]
+internal sealed class PacketConsumer : AsyncDefaultBasicConsumer
 {
     // The broker sends this many messages ahead. Acknowledgements are for several messages, and leave time for the way back.
     public const ushort Prefetch = 512;
 
     private const int AcknowledgeEvery = 64;
 
-    private int _unacknowledged;
+    // A broker closes a channel whose messages are not acknowledged for a time, usually 30 minutes. A suit can rest for longer.
+    private static readonly TimeSpan RestTime = TimeSpan.FromSeconds(5);
+
+    private readonly SourceState _state;
+    private readonly PipeWriter _writer;
+    private readonly RabbitMqSourceOptions _options;
+    private readonly SemaphoreSlim _turn = new(1);
+    private readonly Timer _rest;
+    private ulong _taken;
+    private ulong _acknowledged;
     private NeuronConnectionException? _failure;
+
+    public PacketConsumer(IChannel channel, SourceState state, PipeWriter writer, RabbitMqSourceOptions options)
+        : base(channel)
+    {
+        (_state, _writer, _options) = (state, writer, options);
+        _rest = new Timer(static self => _ = ((PacketConsumer)self!).AcknowledgeRestAsync(), this, RestTime, RestTime);
+    }
 
     // Why the connection ended; set before the pipe ends.
     public NeuronConnectionException? Failure => Volatile.Read(ref _failure);
@@ -33,23 +51,21 @@ internal sealed class PacketConsumer(IChannel channel, SourceState state, PipeWr
         if (Failure is not null)
             return;
 
-        if (state.Take(routingKey, properties.Headers, body.Span))
+        if (_state.Take(routingKey, properties.Headers, body.Span))
         {
-            FlushResult result = await writer.WriteAsync(body, CancellationToken.None).ConfigureAwait(false);
+            FlushResult result = await _writer.WriteAsync(body, CancellationToken.None).ConfigureAwait(false);
             if (result.IsCompleted)
                 return;
         }
 
-        if (++_unacknowledged < AcknowledgeEvery)
-            return;
-
-        _unacknowledged = 0;
-        await Channel.BasicAckAsync(deliveryTag, multiple: true, cancellationToken).ConfigureAwait(false);
+        Volatile.Write(ref _taken, deliveryTag);
+        if (deliveryTag - Volatile.Read(ref _acknowledged) >= AcknowledgeEvery)
+            await AcknowledgeAsync(cancellationToken).ConfigureAwait(false);
     }
 
     public override Task HandleChannelShutdownAsync(object channel, ShutdownEventArgs reason)
     {
-        Fail(BrokerFault.Of(reason, options));
+        Fail(BrokerFault.Of(reason, _options));
         return Task.CompletedTask;
     }
 
@@ -57,16 +73,54 @@ internal sealed class PacketConsumer(IChannel channel, SourceState state, PipeWr
     public override Task HandleBasicCancelAsync(string consumerTag, CancellationToken cancellationToken = default)
     {
         Fail(new NeuronConnectionException(
-            ConnectionReason.ClosedByPeer, $"The queue or stream on the broker {AmqpAddress.EndPoint(options)} was deleted."));
+            ConnectionReason.ClosedByPeer, $"The queue or stream on the broker {AmqpAddress.EndPoint(_options)} was deleted."));
         return Task.CompletedTask;
     }
 
     // Before the reader lets go of the stream. A message that comes later belongs to the next connection, or is lost.
-    public void Stop() => Interlocked.CompareExchange(ref _failure, new NeuronConnectionException(ConnectionReason.Requested, "The stream was closed."), null);
+    public void Stop()
+    {
+        Interlocked.CompareExchange(ref _failure, new NeuronConnectionException(ConnectionReason.Requested, "The stream was closed."), null);
+        _rest.Dispose();
+    }
+
+    // What was taken since the last time.
+    internal async Task AcknowledgeRestAsync()
+    {
+        try
+        {
+            if (Failure is null)
+                await AcknowledgeAsync(CancellationToken.None).ConfigureAwait(false);
+        }
+        catch (Exception)
+        {
+            // The connection has ended. Its own event tells why.
+        }
+    }
+
+    // In turns, because the broker closes a channel that acknowledges a message twice.
+    private async Task AcknowledgeAsync(CancellationToken cancellationToken)
+    {
+        await _turn.WaitAsync(cancellationToken).ConfigureAwait(false);
+        try
+        {
+            ulong taken = Volatile.Read(ref _taken);
+            if (taken == _acknowledged)
+                return;
+
+            await Channel.BasicAckAsync(taken, multiple: true, cancellationToken).ConfigureAwait(false);
+            Volatile.Write(ref _acknowledged, taken);
+        }
+        finally
+        {
+            _turn.Release();
+        }
+    }
 
     private void Fail(NeuronConnectionException failure)
     {
+        _rest.Dispose();
         if (Interlocked.CompareExchange(ref _failure, failure, null) is null)
-            writer.Complete();
+            _writer.Complete();
     }
 }

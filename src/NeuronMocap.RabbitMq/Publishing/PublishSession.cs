@@ -83,7 +83,10 @@ internal sealed class PublishSession
         catch (Exception exception)
         {
             cancellationToken.ThrowIfCancellationRequested();
-            throw Volatile.Read(ref _failure) ?? BrokerFault.Of(exception, _options);
+
+            // From here on, no confirmation counts: the next connection numbers its messages from 1 again.
+            NeuronConnectionException fault = BrokerFault.Of(exception, _options);
+            throw Interlocked.CompareExchange(ref _failure, fault, null) ?? fault;
         }
         finally
         {

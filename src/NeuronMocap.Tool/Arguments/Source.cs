@@ -149,7 +149,7 @@ internal sealed record Source(SourceKind Kind)
         bool isTransport = HasScheme(word, TcpScheme) || HasScheme(word, TlsScheme) || HasScheme(word, UdpScheme);
         if (Array.Exists(WebSocketSchemes, scheme => HasScheme(word, scheme)))
             return ParseWebSocket(text, word);
-        if (word.Length == 0 || (hasScheme && !isTransport))
+        if (word.Length == 0 || (hasScheme && !isTransport) || (!hasScheme && HiddenPassword.IsIn(word)))
             throw new FormatException($"'{HiddenPassword.In(text)}' is not a source. Use {forms}.");
         if (!hasScheme && IsFileName(word))
             return OfFile(text);

@@ -1,5 +1,6 @@
 using NeuronMocap.Tests.Network;
 using NeuronMocap.Tool.Arguments;
+using NeuronMocap.Tool.Relay.Destinations;
 
 namespace NeuronMocap.Tool.Tests.Arguments;
 
@@ -43,6 +44,21 @@ public sealed class SourceAddressTests : AddressContract
     {
         string message = Assert.Throws<FormatException>(() => Read(text)).Message;
         Assert.Equal($"'{text}' is not the address of a WebSocket. Use ws://HOST:PORT.", message);
+    }
+
+    [Theory]
+    [InlineData("me:secret@broker")]
+    [InlineData("me:secret@broker:5672")]
+    [InlineData("amqp:/me:secret@broker")]
+    [InlineData("amqps://me:secret@broker")]
+    [InlineData("amqp://me:secret")]
+    [InlineData("amqp://me:12/secret@broker")]
+    public void A_password_in_a_wrong_address_is_not_shown(string text)
+    {
+        Assert.False(Source.TryParse(text, out _, out string? sourceError));
+        Assert.False(Destination.TryParse(text, out _, out string? destinationError));
+
+        Assert.DoesNotContain("secret", sourceError + destinationError);
     }
 
     [Fact]

@@ -1,5 +1,5 @@
-using System.Diagnostics;
 using System.Globalization;
+using System.Net.Sockets;
 using NeuronMocap.Tests.Network;
 using RabbitMQ.Client;
 using RabbitMQ.Client.Exceptions;
@@ -21,14 +21,17 @@ internal sealed class Broker : IAsyncDisposable
     public const string Actor = "actor";
     public const string ActorPassword = "s3cret-word";
 
-    // It takes 3 s of processor time to start.
+    // Another program may take a port between the choice and the start.
+    private const int Attempts = 3;
+
+    // It takes 3 s to 6 s of processor time to start.
     private static readonly TimeSpan StartLimit = TimeSpan.FromMinutes(3);
 
     private readonly string _folder = Directory.CreateTempSubdirectory("broker-").FullName;
     private readonly int _namePort = FreePort.Next();
     private readonly int _nodePort = FreePort.Next();
-    private Process? _names;
-    private Process? _server;
+    private ChildProcess? _names;
+    private ChildProcess? _server;
 
     private Broker() => Port = FreePort.Next();
 
@@ -41,28 +44,38 @@ internal sealed class Broker : IAsyncDisposable
 
     public static async Task<Broker> StartAsync()
     {
-        var broker = new Broker();
-        try
+        for (int attempt = 1; ; attempt++)
         {
-            broker.WriteFiles();
-            broker._names = broker.Run(string.Create(CultureInfo.InvariantCulture, $"epmd -port {broker._namePort}"), "names.log");
-            await broker.RestartAsync();
-            return broker;
-        }
-        catch
-        {
-            await broker.DisposeAsync();
-            throw;
+            var broker = new Broker();
+            try
+            {
+                await broker.StartNamesAsync();
+                await broker.RestartAsync();
+                return broker;
+            }
+            catch (InvalidOperationException) when (attempt < Attempts)
+            {
+                await broker.DisposeAsync();
+            }
+            catch
+            {
+                await broker.DisposeAsync();
+                throw;
+            }
         }
     }
 
     /// <summary>Ends the broker at once, as a power failure does.</summary>
-    public void Kill() => End(ref _server);
+    public void Kill()
+    {
+        _server?.Dispose();
+        _server = null;
+    }
 
     /// <summary>Starts the broker again, with the files that it has.</summary>
     public async Task RestartAsync()
     {
-        _server = Run(Server, "server.log");
+        _server = Run("server.log", Server);
         using var limit = new CancellationTokenSource(StartLimit);
         var factory = new ConnectionFactory { HostName = "127.0.0.1", Port = Port, AutomaticRecoveryEnabled = false };
         while (true)
@@ -73,7 +86,8 @@ internal sealed class Broker : IAsyncDisposable
                 await using IChannel channel = await connection.CreateChannelAsync(cancellationToken: limit.Token);
                 return;
             }
-            catch (Exception exception) when (exception is BrokerUnreachableException or OperationInterruptedException or IOException)
+            catch (Exception exception)
+                when (exception is BrokerUnreachableException or OperationInterruptedException or IOException or OperationCanceledException or TimeoutException)
             {
                 if (_server.HasExited || limit.IsCancellationRequested)
                     throw new InvalidOperationException($"The broker did not start: {await File.ReadAllTextAsync(PathOf("server.log"))}", exception);
@@ -93,7 +107,8 @@ internal sealed class Broker : IAsyncDisposable
     public ValueTask DisposeAsync()
     {
         Kill();
-        End(ref _names);
+        _names?.Dispose();
+        _names = null;
         try
         {
             Directory.Delete(_folder, recursive: true);
@@ -110,7 +125,9 @@ internal sealed class Broker : IAsyncDisposable
 
     private void WriteFiles()
     {
+        Directory.CreateDirectory(PathOf("conf.d"));
         File.WriteAllText(PathOf("plugins"), "[].");
+        File.WriteAllText(PathOf("advanced.config"), "[].");
         File.WriteAllText(PathOf("definitions.json"), $$"""
             {
               "users": [
@@ -134,41 +151,49 @@ internal sealed class Broker : IAsyncDisposable
             """));
     }
 
-    // A shell ends the program when the pipe to this process closes, also if a debugger or a time limit kills the tests.
-    private Process Run(string program, string log)
+    // The broker would start a name service that outlives it if this one did not listen yet.
+    private async Task StartNamesAsync()
     {
-        var start = new ProcessStartInfo("/bin/sh")
+        WriteFiles();
+        _names = Run("names.log", "epmd", "-port", _namePort.ToString(CultureInfo.InvariantCulture));
+        using var limit = new CancellationTokenSource(StartLimit);
+        while (true)
         {
-            ArgumentList = { "-c", $"exec 2> /dev/null; {program} > '{PathOf(log)}' 2>&1 & program=$!; cat > /dev/null; kill -9 $program; wait $program" },
-            UseShellExecute = false,
-            RedirectStandardInput = true,
-            Environment =
+            try
             {
-                ["HOME"] = _folder,
-                ["ERL_EPMD_PORT"] = _namePort.ToString(CultureInfo.InvariantCulture),
-                ["RABBITMQ_NODENAME"] = "test@localhost",
-                ["RABBITMQ_MNESIA_BASE"] = PathOf("data"),
-                ["RABBITMQ_LOG_BASE"] = PathOf("log"),
-                ["RABBITMQ_DIST_PORT"] = _nodePort.ToString(CultureInfo.InvariantCulture),
-                ["RABBITMQ_ENABLED_PLUGINS_FILE"] = PathOf("plugins"),
-                ["RABBITMQ_CONFIG_FILE"] = PathOf("rabbitmq.conf"),
-                ["RABBITMQ_CONF_ENV_FILE"] = "/dev/null",
-                // The script then becomes the broker's own process. Idle schedulers of Erlang do not spin.
-                ["RABBITMQ_ALLOW_INPUT"] = "1",
-                ["RABBITMQ_SERVER_ADDITIONAL_ERL_ARGS"] = "-noinput -start_epmd false +sbwt none +sbwtdcpu none +sbwtdio none",
-            },
-        };
-        return Process.Start(start)!;
+                using var client = new TcpClient();
+                await client.ConnectAsync("127.0.0.1", _namePort, limit.Token);
+                return;
+            }
+            catch (SocketException exception)
+            {
+                if (_names.HasExited)
+                    throw new InvalidOperationException($"The name service did not start: {await File.ReadAllTextAsync(PathOf("names.log"))}", exception);
+
+                await Task.Delay(10, limit.Token);
+            }
+        }
     }
 
-    private static void End(ref Process? process)
-    {
-        if (process is null)
-            return;
-
-        process.StandardInput.Close();
-        process.WaitForExit();
-        process.Dispose();
-        process = null;
-    }
+    // Nothing comes from the files of a broker of this computer.
+    private ChildProcess Run(string log, params IEnumerable<string> command) => ChildProcess.Start(
+        PathOf(log),
+        new Dictionary<string, string>(StringComparer.Ordinal)
+        {
+            ["HOME"] = _folder,
+            ["ERL_EPMD_PORT"] = _namePort.ToString(CultureInfo.InvariantCulture),
+            ["RABBITMQ_NODENAME"] = "test@localhost",
+            ["RABBITMQ_MNESIA_BASE"] = PathOf("data"),
+            ["RABBITMQ_LOG_BASE"] = PathOf("log"),
+            ["RABBITMQ_DIST_PORT"] = _nodePort.ToString(CultureInfo.InvariantCulture),
+            ["RABBITMQ_ENABLED_PLUGINS_FILE"] = PathOf("plugins"),
+            ["RABBITMQ_CONFIG_FILE"] = PathOf("rabbitmq.conf"),
+            ["RABBITMQ_CONFIG_FILES"] = PathOf("conf.d"),
+            ["RABBITMQ_ADVANCED_CONFIG_FILE"] = PathOf("advanced.config"),
+            ["RABBITMQ_CONF_ENV_FILE"] = "/dev/null",
+            // The script then becomes the broker's own process. Idle schedulers of Erlang do not spin.
+            ["RABBITMQ_ALLOW_INPUT"] = "1",
+            ["RABBITMQ_SERVER_ADDITIONAL_ERL_ARGS"] = "-noinput -start_epmd false +sbwt none +sbwtdcpu none +sbwtdio none",
+        },
+        command);
 }
