@@ -66,7 +66,7 @@ public sealed class RecorderFilesTests : RecorderTest
         string[] names = [];
         var options = new RecordingOptions { MaxFileSize = Size, MaxFiles = maxFiles };
         StreamRecorder recorder = new(Folder.PathOf("take.nmrec"), options, new RecordingMetadata().With("server", "studio"), Tap, static _ => { });
-        Tap.OnBytes(0, [2, 0, 27, 88, 127, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0], (byte[])[1], Stopwatch.GetTimestamp());
+        Tap.OnBytes(0, [2, 0, 27, 88, 127, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0], new ArraySegment<byte>([1]), Stopwatch.GetTimestamp());
         recorder.SetMetadata("rotation-order", "XYZ");
         while (recorder.GetStatistics().Files < 6)
         {

@@ -147,10 +147,10 @@ public sealed class RecorderQueueTests : RecorderTest
         var disk = new HeldStream();
         StreamRecorder recorder = Start(new RecordingOptions { QueueSize = 1 << 24 }, disk);
         byte[] datagram = new byte[784];
-        Allocations.AssertNone(() => Tap.OnBytes(7, sender, datagram, Stopwatch.GetTimestamp()));
+        Allocations.AssertNone(() => Tap.OnBytes(7, sender, new ArraySegment<byte>(datagram), Stopwatch.GetTimestamp()));
         recorder.Dispose();
         Assert.Equal(0, recorder.GetStatistics().LostPieces);
-        Allocations.AssertNone(() => Tap.OnBytes(7, sender, datagram, Stopwatch.GetTimestamp()));
+        Allocations.AssertNone(() => Tap.OnBytes(7, sender, new ArraySegment<byte>(datagram), Stopwatch.GetTimestamp()));
     }
 
     [Fact]

@@ -32,7 +32,7 @@ public abstract class RecorderTest : IDisposable
     private protected void Push()
     {
         BitConverter.TryWriteBytes(_piece, Sent++);
-        Tap.OnBytes(0, [], _piece, Stopwatch.GetTimestamp());
+        Tap.OnBytes(0, [], new ArraySegment<byte>(_piece), Stopwatch.GetTimestamp());
     }
 
     // A file of a megabyte fills quickly, so it pushes many pieces at each check.
