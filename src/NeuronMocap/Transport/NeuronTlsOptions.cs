@@ -1,4 +1,5 @@
 using System.Security.Cryptography.X509Certificates;
+using NeuronMocap.Transport;
 
 namespace NeuronMocap;
 
@@ -23,6 +24,9 @@ public sealed class NeuronTlsOptions
     /// name. A certificate that the authority has signed must have the name of the server. In both cases the certificate must be valid today.
     /// </remarks>
     public X509Certificate2? TrustedCertificate { get; set; }
+
+    // Programs of machine code without these options, such as the native library, then contain no TLS, which is 3 MB.
+    internal Func<LinkOptions, NeuronTlsOptions, TcpReceiver> CreateReceiver { get; } = static (options, tls) => new TlsReceiver(options, tls);
 
     internal NeuronTlsOptions Copy() => (NeuronTlsOptions)MemberwiseClone();
 

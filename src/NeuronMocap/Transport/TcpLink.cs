@@ -13,7 +13,7 @@ internal sealed class TcpLink(LinkOptions options) : Link
 
     private readonly object _lock = new();
     private readonly object _sendLock = new();
-    private readonly TcpReceiver _receiver = options.Tls is { } tls ? new TlsReceiver(options, tls) : options.TakeReceiver(options.ReceiveThread);
+    private readonly TcpReceiver _receiver = options.Tls is { } tls ? tls.CreateReceiver(options, tls) : options.TakeReceiver(options.ReceiveThread);
     private Socket? _socket;
     private bool _closed;
 
