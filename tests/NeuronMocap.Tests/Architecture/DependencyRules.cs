@@ -1,7 +1,6 @@
 using System.Reflection;
 using Mono.Cecil;
 using Mono.Cecil.Cil;
-using NeuronMocap.Tests.Infrastructure;
 
 namespace NeuronMocap.Tests.Architecture;
 
@@ -55,7 +54,7 @@ internal sealed class DependencyRules(string root, IReadOnlyDictionary<string, s
     // The .NET Standard builds leave out files of .NET, and so whole folders of them.
     private bool IsForOtherBuilds(string folder)
     {
-        string path = Repository.PathOf(root.Trim('/'), folder);
+        string path = Infrastructure.Repository.PathOf(root.Trim('/'), folder);
         string[] files = Directory.Exists(path) ? Directory.GetFiles(path, "*.cs") : [];
         return files.Length > 0 && Array.TrueForAll(files, static file => file.EndsWith(".net.cs", StringComparison.Ordinal));
     }
