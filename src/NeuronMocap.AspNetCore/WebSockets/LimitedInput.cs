@@ -71,8 +71,12 @@ internal sealed class LimitedInput : IDisposable
         public async ValueTask<Stream> AcceptAsync() => new InputStream(await inner.AcceptAsync().ConfigureAwait(false), input);
     }
 
+    // The WebSocket of ASP.NET Core only reads and writes asynchronously; Kestrel refuses blocking calls too. A connection has no length and no position, and
+    // throws what the contract of Stream asks for when CanSeek is false.
     private sealed class InputStream(Stream inner, LimitedInput input) : Stream
     {
+        private const string OnlyAsynchronous = "The connection reads and writes only asynchronously.";
+
         public override bool CanRead => true;
 
         public override bool CanSeek => false;
@@ -93,11 +97,11 @@ internal sealed class LimitedInput : IDisposable
 
         public override Task FlushAsync(CancellationToken cancellationToken) => inner.FlushAsync(cancellationToken);
 
-        public override int Read(byte[] buffer, int offset, int count) => throw new NotSupportedException();
+        public override int Read(byte[] buffer, int offset, int count) => throw new NotSupportedException(OnlyAsynchronous);
 
-        public override void Write(byte[] buffer, int offset, int count) => throw new NotSupportedException();
+        public override void Write(byte[] buffer, int offset, int count) => throw new NotSupportedException(OnlyAsynchronous);
 
-        public override void Flush() => throw new NotSupportedException();
+        public override void Flush() => throw new NotSupportedException(OnlyAsynchronous);
 
         public override long Seek(long offset, SeekOrigin origin) => throw new NotSupportedException();
 

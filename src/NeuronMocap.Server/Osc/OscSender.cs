@@ -6,8 +6,8 @@ namespace NeuronMocap.Server;
 /// <summary>Sends all avatars, or one, as plain OSC messages, for programs such as TouchDesigner, Max and Pure Data.</summary>
 /// <remarks>
 /// <para>
-/// Each bone is a message <c>/neuron/AVATAR/BONE px py pz qx qy qz qw</c> of seven floats: the position in centimetres and a unit quaternion, in the
-/// library's axes: right-handed, Y up, X to the performer's left, Z forward. After the 59 bones, <c>/neuron/AVATAR/frame</c> has the frame number as an int,
+/// Each bone is a message <c>/neuron/AVATAR/BONE px py pz qx qy qz qw</c> of seven floats: the position in centimetres and a unit quaternion. The axes are
+/// the library's: right-handed, Y up, X to the performer's left, Z forward. After the 59 bones, <c>/neuron/AVATAR/frame</c> has the frame number as an int,
 /// or -1, and the seconds since the sender was created as a float.
 /// </para>
 /// <para>

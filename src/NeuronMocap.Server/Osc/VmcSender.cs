@@ -8,8 +8,9 @@ namespace NeuronMocap.Server;
 /// </summary>
 /// <remarks>
 /// <para>
-/// Each frame goes out as bundles of OSC messages: the root, 50 Humanoid bones with position and rotation relative to their parents in Unity's axes and
-/// metres, and then OK and T, on which receivers show the frame. Rotations are those of a model without rotations in the T-pose, as the protocol asks for.
+/// Each frame goes out as bundles of OSC messages: the root, 50 Humanoid bones, and then OK and T, on which receivers show the frame. Positions and
+/// rotations are relative to the parent bone, in Unity's axes and metres. Rotations are those of a model without rotations in the T-pose, as the protocol
+/// asks for.
 /// </para>
 /// <para>
 /// A receiver has one port for each performer. Create a sender for each. Without a choice in the options, the first avatar that arrives is sent. Another one

@@ -38,8 +38,8 @@ internal sealed class PoseArguments
     private readonly Option<double?> _scale = new("--pose-scale")
     {
         HelpName = "FACTOR",
-        Description = "Multiply all positions, 0.0001 to 10000: for vmc://, with the height of the model's hips divided by that of the performer's hips, so that "
-            + "a small model does not float; for osc://, 0.01 turns centimetres into metres. Default: 1.",
+        Description = "Multiply all positions, 0.0001 to 10000. For vmc://, use the height of the model's hips divided by that of the performer's hips: "
+            + "a small model then does not float. For osc://, 0.01 turns centimetres into metres. Default: 1.",
         CustomParser = static result => NumberArgument.Parse(result, 0.0001, 10_000, "a number from 0.0001 to 10000"),
         Arity = ArgumentArity.ExactlyOne,
     };
