@@ -21,6 +21,7 @@ internal sealed class PerformerWriter
     private readonly float[] _angles = new float[BoneHierarchy.BoneCount];
     private readonly float[] _values = new float[BoneHierarchy.BoneCount * FrameMeter.Quantities];
     private readonly float[] _summary = new float[TakePerformer.SummaryValues];
+    private (uint? Index, int Connection) _last;
     private long _lastTime = long.MinValue;
     private long _measured;
 
@@ -52,11 +53,14 @@ internal sealed class PerformerWriter
     /// <param name="measured">The contacts that the file holds; null if it has none.</param>
     public void Add(TimeSpan time, uint? frameIndex, int connection, ReadOnlySpan<BoneTransform> local, FootContacts? measured)
     {
-        if (_timing.Add(frameIndex, time, connection) == 0)
+        bool isRepeated = frameIndex is not null && (frameIndex, connection) == _last;
+        if (isRepeated || _timing.Add(frameIndex, time, connection) == 0)
         {
             Late++;
             return;
         }
+
+        _last = (frameIndex, connection);
 
         // Several frames can arrive in one piece. Later code relies on times that grow.
         long microseconds = Math.Max(time.Ticks / TimeSpan.TicksPerMicrosecond, _lastTime + 1);

@@ -42,6 +42,7 @@ internal sealed record TakeCurve(double[] Times, float[] Lowest, float[] Highest
     private static void AddBlocks(TakePerformer performer, Bone bone, CurveQuantity quantity, int first, int last, Buckets buckets)
     {
         long[] times = performer.Times.GetBlockTimes();
+        var gaps = new Queue<TimeStretch>(performer.Times.GetGaps());
         float[] values = new float[BlocksPerRead * TakePerformer.SummaryValues];
         int place = (((int)bone * FrameMeter.Quantities) + (int)quantity) * 2;
         for (int block = first; block <= last; block += BlocksPerRead)
@@ -52,9 +53,26 @@ internal sealed record TakeCurve(double[] Times, float[] Lowest, float[] Highest
                 // The last frame of a block is just before the next block.
                 long end = block + i + 1 < times.Length ? times[block + i + 1] - 1 : performer.Times.End;
                 int at = (i * TakePerformer.SummaryValues) + place;
-                buckets.Add(times[block + i], end, values[at], values[at + 1]);
+                AddBlock(new TimeStretch(times[block + i], end), gaps, values[at], values[at + 1], buckets);
             }
         }
+    }
+
+    // Leaves the gaps in the block out.
+    private static void AddBlock(TimeStretch block, Queue<TimeStretch> gaps, float lowest, float highest, Buckets buckets)
+    {
+        long start = block.From;
+        while (gaps.TryPeek(out TimeStretch gap) && gap.From <= block.To)
+        {
+            gaps.Dequeue();
+            if (gap.From >= start)
+                buckets.Add(start, gap.From, lowest, highest);
+
+            start = Math.Max(start, gap.To);
+        }
+
+        if (start <= block.To)
+            buckets.Add(start, block.To, lowest, highest);
     }
 
     private static void AddFrames(TakePerformer performer, Bone bone, CurveQuantity quantity, int first, int last, Buckets buckets)
