@@ -66,7 +66,7 @@ internal sealed class PerformerWriter
         long microseconds = Math.Max(time.Ticks / TimeSpan.TicksPerMicrosecond, _lastTime + 1);
         var header = new CompactPoseHeader
         {
-            AvatarIndex = Performer.AvatarIndex,
+            AvatarIndex = Performer.Index,
             AvatarName = _name,
             FrameIndex = frameIndex,
             Time = DateTimeOffset.UnixEpoch + TimeSpan.FromMicroseconds(microseconds),

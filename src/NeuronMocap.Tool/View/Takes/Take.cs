@@ -30,6 +30,9 @@ internal sealed class Take : IDisposable
 
     public FileKind Kind { get; }
 
+    /// <summary>Whether the file is deleted with the take.</summary>
+    public bool IsUpload { get; init; }
+
     /// <summary>Cancelled when the take is closed.</summary>
     public CancellationToken Closed => _stop.Token;
 
@@ -39,7 +42,7 @@ internal sealed class Take : IDisposable
     /// <summary>How much of the file was read, 0 to 1.</summary>
     public double Progress => Volatile.Read(ref _progress);
 
-    /// <summary>Length of the whole file, if the file says it; otherwise to the end of the last frame.</summary>
+    /// <summary>Time of the last frame that can be read.</summary>
     public TimeSpan Duration
     {
         get

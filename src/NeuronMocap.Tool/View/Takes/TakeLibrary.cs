@@ -1,14 +1,15 @@
 using System.Globalization;
 using NeuronMocap.Tool.Files;
+using NeuronMocap.Tool.View.Web;
 
 namespace NeuronMocap.Tool.View.Takes;
 
 /// <summary>The takes that are open. Thread-safe.</summary>
-/// <param name="folder">An existing folder for temporary files, which belongs to the program.</param>
-internal sealed class TakeLibrary(string folder) : IDisposable
+/// <param name="scratch">The folder for uploads and temporary files.</param>
+internal sealed class TakeLibrary(ScratchFolder scratch) : IDisposable
 {
     /// <summary>Number of takes that can be open. To open another one closes the one that was used longest ago.</summary>
-    public const int MostTakes = 16;
+    public const int MostTakes = 8;
 
     private readonly Lock _lock = new();
     private readonly List<Take> _takes = [];
@@ -17,20 +18,20 @@ internal sealed class TakeLibrary(string folder) : IDisposable
 
     /// <summary>Opens a file as a take. Its kind is determined by its contents. The file is read on another thread.</summary>
     /// <param name="path">The file.</param>
-    /// <param name="name">Its name for people; null for its own.</param>
+    /// <param name="name">Its name for people.</param>
+    /// <param name="isUpload">Whether the file is deleted with the take.</param>
     /// <returns>The take, whose first frames can be read soon.</returns>
     /// <exception cref="NeuronException">The file is not a take. The message is a sentence that says why.</exception>
     /// <exception cref="IOException">The file cannot be read. The message is a sentence.</exception>
-    public Take Open(string path, string? name = null)
+    public Take Open(string path, string name, bool isUpload = false)
     {
-        name ??= Path.GetFileName(path);
         FileKind kind = Recognize(path, name);
         Take take;
         Take? oldest;
         lock (_lock)
         {
             ObjectDisposedException.ThrowIf(_isDisposed, this);
-            take = new Take(string.Create(CultureInfo.InvariantCulture, $"t{++_number}"), name, path, kind);
+            take = new Take(string.Create(CultureInfo.InvariantCulture, $"t{++_number}"), name, path, kind) { IsUpload = isUpload };
             _takes.Add(take);
             oldest = _takes.Count > MostTakes ? _takes[0] : null;
             if (oldest is not null)
@@ -38,7 +39,7 @@ internal sealed class TakeLibrary(string folder) : IDisposable
         }
 
         Close(oldest);
-        var reading = new TakeReading(take, folder);
+        var reading = new TakeReading(take, scratch.Path);
         take.Start(reading.Run);
         return take;
     }
@@ -94,23 +95,10 @@ internal sealed class TakeLibrary(string folder) : IDisposable
         }
     }
 
-    // A file that was uploaded goes with its take.
     private void Close(Take? take)
     {
-        if (take is null)
-            return;
-
-        take.Dispose();
-        if (!take.Path.StartsWith(folder + Path.DirectorySeparatorChar, StringComparison.Ordinal))
-            return;
-
-        try
-        {
-            File.Delete(take.Path);
-        }
-        catch (Exception exception) when (exception is IOException or UnauthorizedAccessException)
-        {
-            // The folder is deleted at the end.
-        }
+        take?.Dispose();
+        if (take is { IsUpload: true })
+            scratch.Delete(take.Path);
     }
 }

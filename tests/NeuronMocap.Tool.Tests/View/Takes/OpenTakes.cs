@@ -4,6 +4,7 @@ using NeuronMocap.Server;
 using NeuronMocap.Skeleton;
 using NeuronMocap.Tool.Tests.Files;
 using NeuronMocap.Tool.View.Takes;
+using NeuronMocap.Tool.View.Web;
 
 namespace NeuronMocap.Tool.Tests.View.Takes;
 
@@ -11,26 +12,21 @@ namespace NeuronMocap.Tool.Tests.View.Takes;
 internal sealed class OpenTakes : IDisposable
 {
     private readonly TemporaryFolder _folder = new();
-    private readonly string _scratch;
+    private readonly ScratchFolder _scratch = new(long.MaxValue);
 
-    public OpenTakes()
-    {
-        _scratch = _folder["scratch"];
-        Directory.CreateDirectory(_scratch);
-        Library = new TakeLibrary(_scratch);
-    }
+    public OpenTakes() => Library = new TakeLibrary(_scratch);
 
     public TakeLibrary Library { get; }
 
     public TemporaryFolder Folder => _folder;
 
     /// <summary>Files in the folder for temporary files.</summary>
-    public int ScratchFiles => Directory.GetFiles(_scratch).Length;
+    public int ScratchFiles => Directory.GetFiles(_scratch.Path).Length;
 
     /// <summary>Opens a file and waits until it was read.</summary>
     public async Task<Take> OpenAsync(string path)
     {
-        Take take = Library.Open(path);
+        Take take = Library.Open(path, Path.GetFileName(path));
         await take.Completion;
         return take;
     }
@@ -71,6 +67,7 @@ internal sealed class OpenTakes : IDisposable
     public void Dispose()
     {
         Library.Dispose();
+        _scratch.Dispose();
         _folder.Dispose();
     }
 
