@@ -36,7 +36,7 @@ internal sealed class TakeClient : IAsyncDisposable
         var scratch = new ScratchFolder(long.MaxValue);
         var hub = new ControlHub(static () => [new object()]);
         var takes = new TakeService(scratch, hub, megabytes);
-        var options = new ViewOptions(Source.Demo, new ConnectionOptions(null)) { Port = 0, Bind = IPAddress.Loopback };
+        var options = new ViewOptions(Source.Demo, new ConnectionOptions()) { Port = 0, Bind = IPAddress.Loopback };
         return new TakeClient(takes, await ViewServer.StartAsync(options, [hub, takes]), scratch, hub);
     }
 
