@@ -17,6 +17,7 @@ namespace NeuronMocap.Tool.View;
 internal sealed class ViewRun(ViewOptions options, StandardStreams streams)
 {
     private const int WidestText = 160;
+    private const long UploadsThatFit = 8;
 
     private static readonly string Version = Assembly.GetExecutingAssembly().GetCustomAttribute<AssemblyInformationalVersionAttribute>()!.InformationalVersion;
 
@@ -45,25 +46,39 @@ internal sealed class ViewRun(ViewOptions options, StandardStreams streams)
         }
     }
 
-    // The branch of takes opens the file here.
-    private static Task<int> ShowFileAsync(string file, CancellationToken cancellationToken) => throw ApiException.BadRequest($"'{file}': files cannot be opened yet.");
+    private async Task<int> ShowFileAsync(string file, CancellationToken cancellationToken)
+    {
+        using var scratch = CreateScratch();
+        string? take = null;
+        await using var hub = new ControlHub(() => [Hello("take", take, performers: [])]);
+        await using ITakeLibrary takes = CreateTakes(scratch, hub) ?? throw ApiException.BadRequest($"'{file}': takes cannot be opened yet.");
+        take = await takes.OpenAsync(file, cancellationToken);
+        return await ServeAsync([hub, takes], cancellationToken);
+    }
 
     private async Task<int> ShowStreamAsync(CancellationToken cancellationToken)
     {
         using Broadcaster? demo = options.Connection.IsDemo ? Broadcaster.StartDemo(rotationOrder: options.Connection.RotationOrder ?? RotationOrder.YXZ) : null;
         ServerAddress? server = demo is null ? options.Connection.Server : ServerAddress.Of(demo.LocalEndPoint!);
+        using var scratch = CreateScratch();
         await using var reader = new NeuronReader(options.Connection.ToReaderOptions(server));
         LiveSession? live = null;
-        await using var hub = new ControlHub(() => [Hello(live!), .. live!.Greet()]);
+        await using var hub = new ControlHub(() => [Hello("live", take: null, live!.Introduce()), .. live.Greet()]);
         await using (live = new LiveSession(reader, options.Source.ToString(), hub))
+        await using (ITakeLibrary? takes = CreateTakes(scratch, hub))
         {
             reader.Start();
-            return await ServeAsync([hub, live], cancellationToken);
+            return await ServeAsync([hub, live, .. takes is null ? Array.Empty<IViewPart>() : [takes]], cancellationToken);
         }
     }
 
-    private HelloJson Hello(LiveSession live) =>
-        new(ToolCommand.Name, Version, "live", options.Source.ToString(), Take: null, CanCommand: options.Connection.CommandPort is not null, live.Introduce());
+    private HelloJson Hello(string mode, string? take, IReadOnlyList<PerformerJson> performers) =>
+        new(ToolCommand.Name, Version, mode, options.Source.ToString(), take, CanCommand: options.Connection.CommandPort is not null, performers);
+
+    private ScratchFolder CreateScratch() => new(UploadsThatFit * options.UploadMegabytes * BodyLimit.Megabyte);
+
+    // The branch of takes creates its library here.
+    private static ITakeLibrary? CreateTakes(ScratchFolder scratch, ControlHub hub) => null;
 
     private async Task<int> ServeAsync(IReadOnlyList<IViewPart> parts, CancellationToken cancellationToken)
     {
