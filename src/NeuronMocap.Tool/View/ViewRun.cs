@@ -17,7 +17,7 @@ namespace NeuronMocap.Tool.View;
 internal sealed class ViewRun(ViewOptions options, StandardStreams streams)
 {
     private const int WidestText = 160;
-    private const int UploadsThatFit = 4;
+    private const long UploadsThatFit = 8;
 
     private static readonly string Version = Assembly.GetExecutingAssembly().GetCustomAttribute<AssemblyInformationalVersionAttribute>()!.InformationalVersion;
 
@@ -60,9 +60,9 @@ internal sealed class ViewRun(ViewOptions options, StandardStreams streams)
     {
         using Broadcaster? demo = options.Connection.IsDemo ? Broadcaster.StartDemo(rotationOrder: options.Connection.RotationOrder ?? RotationOrder.YXZ) : null;
         ServerAddress? server = demo is null ? options.Connection.Server : ServerAddress.Of(demo.LocalEndPoint!);
+        using var scratch = CreateScratch();
         await using var reader = new NeuronReader(options.Connection.ToReaderOptions(server));
         LiveSession? live = null;
-        using var scratch = CreateScratch();
         await using var hub = new ControlHub(() => [Hello("live", take: null, live!.Introduce()), .. live.Greet()]);
         await using (live = new LiveSession(reader, options.Source.ToString(), hub))
         await using (ITakeLibrary takes = CreateTakes(scratch, hub))
