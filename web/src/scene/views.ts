@@ -1,4 +1,6 @@
 import { Vector3 } from "three";
+import type { Keys } from "../page/keys";
+import type { SettingsStore } from "../page/settings";
 import type { CameraRig } from "./cameraRig";
 import type { Performer } from "./performer";
 import type { Performers } from "./performers";
@@ -145,4 +147,24 @@ export class Views {
   private _heightOf(performer: Performer): number {
     return performer.body.offsets[1] * 1.08;
   }
+}
+
+const KeyTurn = Math.PI / 24;
+
+/** Keys that turn and move the camera. */
+export function addCameraKeys(keys: Keys, rig: CameraRig, views: Views, settings: SettingsStore): void {
+  const turn = (x: number, y: number) => () => {
+    rig.turn((settings.now.mirror ? -x : x) * KeyTurn, y * KeyTurn);
+    views.turned();
+  };
+  const camera = (key: string, label: string, does: string, run: () => void): void => {
+    keys.add({ key, label, does, group: "Camera", run });
+  };
+  camera("ArrowLeft", "←", "Turn left", turn(-1, 0));
+  camera("ArrowRight", "→", "Turn right", turn(1, 0));
+  camera("ArrowUp", "↑", "Higher", turn(0, 1));
+  camera("ArrowDown", "↓", "Lower", turn(0, -1));
+  camera("+", "+", "Closer", () => rig.zoom(1 / 1.15));
+  camera("-", "-", "Farther", () => rig.zoom(1.15));
+  camera("h", "h", "All performers in the picture", () => views.follow(null));
 }
