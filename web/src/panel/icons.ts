@@ -24,6 +24,17 @@ const Paths = {
   eye: "M2.6 10S5.2 5 10 5s7.4 5 7.4 5-2.6 5-7.4 5-7.4-5-7.4-5M10 8a2 2 0 1 0 0 4 2 2 0 0 0 0-4",
   hidden: "M3.4 3.4l13.2 13.2M6.4 6.2C4 7.6 2.6 10 2.6 10S5.2 15 10 15c1.4 0 2.6-.4 3.6-1M8.4 5.1A8 8 0 0 1 10 5c4.8 0 7.4 5 7.4 5a13 13 0 0 1-1.7 2.3",
   close: "M5 5l10 10M15 5 5 15",
+  play: "M6.5 4.2v11.6l9-5.8z",
+  pause: "M6.8 4.5v11M13.2 4.5v11",
+  first: "M5 4.5v11M15 4.8 8 10l7 5.2z",
+  back: "M12.5 5 7 10l5.5 5",
+  next: "M7.5 5 13 10l-5.5 5",
+  loop: "M6 6.5h6.5a3.5 3.5 0 0 1 0 7H6M8.2 11.3 6 13.5l2.2 2.2",
+  in: "M11 4H7v12h4",
+  out: "M9 4h4v12H9",
+  clear: "M8 4.5H5v11h3M12 4.5h3v11h-3M8.4 8.4l3.2 3.2M11.6 8.4l-3.2 3.2",
+  plot: "M3.5 4v12h13M6 12.5l3-4 2.6 2.4L16 5.5",
+  live: "M10 8.4a1.6 1.6 0 1 0 0 3.2 1.6 1.6 0 0 0 0-3.2M6.4 6.4a5 5 0 0 0 0 7.2M13.6 6.4a5 5 0 0 1 0 7.2M4 4a8.5 8.5 0 0 0 0 12M16 4a8.5 8.5 0 0 1 0 12",
 } as const;
 
 export type IconName = keyof typeof Paths;
@@ -34,7 +45,8 @@ const Namespace = "http://www.w3.org/2000/svg";
 export function icon(name: IconName): SVGSVGElement {
   const svg = document.createElementNS(Namespace, "svg");
   svg.setAttribute("viewBox", "0 0 20 20");
-  svg.setAttribute("class", `icon ${name}`);
+  svg.setAttribute("class", "icon");
+  svg.setAttribute("data-icon", name);
   svg.setAttribute("aria-hidden", "true");
   const path = document.createElementNS(Namespace, "path");
   path.setAttribute("d", Paths[name]);
@@ -45,6 +57,6 @@ export function icon(name: IconName): SVGSVGElement {
 /** Replaces the icon of a button. */
 export function setIcon(button: Element, name: IconName): void {
   const old = button.querySelector("svg");
-  if (!old?.classList.contains(name))
+  if (old?.dataset.icon !== name)
     old?.replaceWith(icon(name));
 }

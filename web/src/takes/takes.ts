@@ -54,8 +54,7 @@ class TakeScreen implements Takes {
     }
 
     this._timeline.element.addEventListener("keydown", event => this._onSliderKey(event));
-    page.settings.watch(() => this._redraw());
-    matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => setTimeout(() => this._redraw()));
+    new MutationObserver(() => this._redraw()).observe(document.documentElement, { attributeFilter: ["data-theme"] });
     page.loop.add("motion", (now, step) => this._onPicture(now, step));
     page.drops.add({
       what: "takes (BVH, .nmrec, .calc)",
