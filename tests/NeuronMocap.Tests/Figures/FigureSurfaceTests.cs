@@ -80,7 +80,7 @@ public sealed class FigureSurfaceTests
     [Fact]
     public void Neighbouring_numbers_have_distinct_colours()
     {
-        Assert.Equal(0xF2762F, FigureColors.GetAccent(0));
+        Assert.Equal(0xF27630, FigureColors.GetAccent(0));
         Assert.Equal(20, Enumerable.Range(0, 20).Select(FigureColors.GetAccent).Distinct().Count());
     }
 
