@@ -117,6 +117,15 @@ public sealed class GlbWriter : IDisposable
         }
     }
 
+    // Closes the stream without writing to it.
+    internal void Abandon()
+    {
+        _isDisposed = true;
+        _spool.Dispose();
+        if (!_leavesOpen)
+            _stream.Dispose();
+    }
+
     // Programs find bones by their names, and rename one of two nodes with the same name.
     private string FindName(string name)
     {
