@@ -62,7 +62,8 @@ internal sealed class GlbOutput(
         foreach ((int avatar, TimeSpan start) in starts.Avatars)
         {
             RecordingSource source = RecordingSource.Load(settings.Input, avatar, settings.Playback, progress, cancellationToken);
-            var clock = new TakeClock(source, start - starts.First);
+            // Avatars of a server move at the same instants, although their frames arrive one after the other.
+            var clock = new TakeClock(source, FrameTimes.Of((long)Math.Round((start - starts.First).TotalSeconds * source.FrameRate), source.FrameRate));
             Add(glb, source, source.AvatarName, avatar, clock);
             AddStreamWarnings(source);
         }
