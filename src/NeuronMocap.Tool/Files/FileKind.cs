@@ -13,6 +13,9 @@ internal enum FileKind
 
     /// <summary>The raw bytes of a stream, without times.</summary>
     Raw,
+
+    /// <summary>A table of poses, which is only written.</summary>
+    Csv,
 }
 
 /// <summary>Determines the kind of a file: for reading by its contents, for writing by its name.</summary>
@@ -21,7 +24,7 @@ internal static class FileKinds
     private const int LookedAt = 64 * 1024;
 
     /// <summary>The extensions of files that the program reads and writes, in lower case.</summary>
-    public static IReadOnlyList<string> Extensions { get; } = [".bvh", ".nmrec", ".calc", ".bin", ".dat"];
+    public static IReadOnlyList<string> Extensions { get; } = [".bvh", ".nmrec", ".calc", ".bin", ".dat", ".csv"];
 
     private static readonly string[] BvhWords = ["HIERARCHY", "MOTION", "CHANNELS"];
 
@@ -51,6 +54,7 @@ internal static class FileKinds
         ".nmrec" => FileKind.Recording,
         ".calc" => FileKind.Calculation,
         ".bin" or ".dat" => FileKind.Raw,
+        ".csv" => FileKind.Csv,
         _ => null,
     };
 

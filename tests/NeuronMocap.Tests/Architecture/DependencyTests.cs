@@ -25,6 +25,7 @@ public sealed class DependencyTests
         ["Files"] = [],
         ["Files/Bvh"] = ["Files", "Frames", "Protocol", "Protocol/Text", "Skeleton", "Timing"],
         ["Files/Calculation"] = ["Files", "Frames", "Protocol", "Protocol/Text", "Skeleton"],
+        ["Files/Csv"] = ["Files", "Protocol", "Protocol/Text", "Skeleton"],
         ["Files/Recording"] = ["Files", "Protocol", "Skeleton", "Transport"],
         ["Files/Playback"] = ["Delivery", "Files/Recording", "Frames", "Protocol", "Skeleton", "Transport"],
         // A server sends text in BVH format. Connecting, and reasons for failures, are the same as for a stream.
