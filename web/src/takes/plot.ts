@@ -26,6 +26,8 @@ export class Plot {
   readonly element = element("div", { class: "time-plot", role: "img", "aria-label": "Plot" });
   onSeek: ((time: number) => void) | null = null;
   onSeekEnd: (() => void) | null = null;
+  /** Called when there is room for another number of points. */
+  onResize: (() => void) | null = null;
   private readonly _canvas: LayeredCanvas;
   private readonly _view: TimeView;
   private _curves: readonly PlotCurve[] = [];
@@ -33,7 +35,10 @@ export class Plot {
 
   constructor(view: TimeView) {
     this._view = view;
-    this._canvas = new LayeredCanvas(this.element, () => this.draw());
+    this._canvas = new LayeredCanvas(this.element, () => {
+      this.draw();
+      this.onResize?.();
+    });
     view.onChange(() => this.draw());
     connectSeeking(this.element, this._canvas, view, time => this.onSeek?.(time), () => this.onSeekEnd?.());
   }

@@ -26,6 +26,7 @@ export class PlotSection {
     this._view = view;
     this._say = say;
     this.plot = new Plot(view);
+    this.plot.onResize = () => this._ask();
     this._quantity.append(...Quantities.map(([value, words]) => element("option", { value }, words)));
     this._quantity.addEventListener("change", () => this._ask());
     this._bone.addEventListener("change", () => this._ask());

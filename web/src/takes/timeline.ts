@@ -16,7 +16,7 @@ export interface Lane {
 }
 
 const RulerHeight = 22;
-const LaneHeight = 20;
+const LaneHeight = 24;
 const MostLanes = 6;
 const PixelsPerMark = 84;
 
@@ -82,8 +82,8 @@ export class Timeline {
     context.textAlign = "right";
     context.textBaseline = "middle";
     if (lane.contacts) {
-      context.fillText("L", Gutter - 8, top + 5.5);
-      context.fillText("R", Gutter - 8, top + 14.5);
+      context.fillText("L", Gutter - 8, top + 7.5);
+      context.fillText("R", Gutter - 8, top + 17.5);
     }
 
     clipToAxis(context, canvas, () => {
@@ -95,8 +95,8 @@ export class Timeline {
         drawGap(context, x(gap[0]), x(gap[1]), top, canvas.colour("--panel"), dim);
       context.fillStyle = lane.colour;
       if (lane.contacts) {
-        drawSteps(context, lane.contacts.left, view, x, top + 3);
-        drawSteps(context, lane.contacts.right, view, x, top + 12);
+        drawSteps(context, lane.contacts.left, view, x, top + 4);
+        drawSteps(context, lane.contacts.right, view, x, top + 14);
       }
     });
   }
@@ -189,7 +189,7 @@ function drawSteps(context: CanvasRenderingContext2D, steps: readonly Stretch[],
     // At hours in a picture, steps closer than a pixel are one.
     const start = Math.max(x(from), last);
     const end = Math.max(x(to), start + 0.75);
-    context.fillRect(start, top, end - start, 5);
+    context.fillRect(start, top, end - start, 6);
     last = end;
   }
 }
