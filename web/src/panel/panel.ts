@@ -66,7 +66,7 @@ export class Panel {
     const { _page: page, _connection: connection } = this;
     this.situation = describe(connection.state, connection.refusal, this.status, page.performers.count);
     this._header.show(this.situation, connection.hello?.source ?? "");
-    this._stream.show(this.situation, this.status, this.hud.delay);
+    this._stream.show(this.situation, this.status, connection.state === "open" ? this.hud.delay : NaN);
     this._performers.show(this.status);
     // A take needs the program as well, but not its source.
     if (page.feed.paused && connection.state === "open")
