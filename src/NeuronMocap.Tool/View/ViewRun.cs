@@ -73,7 +73,7 @@ internal sealed class ViewRun(ViewOptions options, StandardStreams streams)
                 hub, live, recording,
                 new DiagnosisAction(options.Source, readerOptions, () => LiveDiagnosis.Of(live.Describe())),
                 new ZeroOutAction(commands, options.Connection.LocalAddress),
-                new FigureFiles(live.Performers.Find, write: null),
+                new FigureFiles(live.Performers.Find),
                 .. takes is null ? Array.Empty<IViewPart>() : [takes],
             ];
             reader.Start();

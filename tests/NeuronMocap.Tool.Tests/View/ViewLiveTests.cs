@@ -1,6 +1,7 @@
 using System.Net.WebSockets;
 using System.Text.Json;
 using NeuronMocap.Skeleton;
+using NeuronMocap.Tests.Infrastructure;
 
 namespace NeuronMocap.Tool.Tests.View;
 
@@ -100,6 +101,21 @@ public sealed class ViewLiveTests
             Assert.True(CompactPose.TryDecode(pose, out CompactPoseHeader header, local));
             Assert.Equal(0, header.AvatarIndex);
         }
+    }
+
+    [Fact]
+    public async Task A_performer_has_a_figure()
+    {
+        await using RunningView view = await RunningView.StartAsync("demo");
+        using ViewSocket control = await view.ConnectAsync("/control");
+        await control.FindAsync("performer");
+        using HttpResponseMessage answer = await view.Client.GetAsync("/api/performers/0-0/figure.glb", TestContext.Current.CancellationToken).Soon();
+        Assert.Equal("model/gltf-binary", answer.Content.Headers.ContentType!.MediaType);
+        byte[] glb = await answer.Content.ReadAsByteArrayAsync(TestContext.Current.CancellationToken);
+        Assert.Equal("glTF"u8, glb.AsSpan(0, 4));
+        Assert.Equal(glb.Length, BitConverter.ToInt32(glb, 8));
+        foreach (string key in (string[])["0-1", "1-0", "Demo", "0-0-0"])
+            Assert.Equal("There is no such performer.", (await view.GetAsync($"/api/performers/{key}/figure.glb")).GetProperty("error").GetString());
     }
 
     [Theory]
