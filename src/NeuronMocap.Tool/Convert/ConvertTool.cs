@@ -52,6 +52,9 @@ internal sealed class ConvertTool(FileSettings settings, StandardStreams streams
                 CalculationCopy.ToPackets(settings, _range, OpenSink(to, path, take: null), _summary, progress, cancellationToken);
                 AddLossOfRaw(to);
                 break;
+            case FileKind.Glb:
+                new GlbOutput(settings, _range, _summary, progress, cancellationToken).Write(from, path);
+                break;
             case FileKind.Calculation when from == FileKind.Calculation:
                 RejectForCopy("the rows of a calculation export are copied as they are");
                 CalculationCopy.ToFile(settings, _range, path, _summary, progress, cancellationToken);
