@@ -1,0 +1,67 @@
+import { Color, NeutralToneMapping, PCFShadowMap, PerspectiveCamera, Scene, WebGLRenderer } from "three";
+import { DarkScene, LightScene } from "./colours";
+import { Floor } from "./floor";
+import { Lights } from "./lights";
+
+/** The scene with light and floor, and the canvas that shows it. Metres, Y up. */
+export class Stage {
+  readonly scene = new Scene();
+  readonly camera = new PerspectiveCamera(35, 1, 0.05, 200);
+  readonly renderer = new WebGLRenderer({ antialias: true, powerPreference: "high-performance" });
+  readonly canvas = this.renderer.domElement;
+  readonly floor = new Floor();
+  readonly lights = new Lights();
+  private readonly _background = new Color();
+  private readonly _place: HTMLElement;
+  private readonly _changed: () => void;
+  private _mostPixels = 2;
+
+  constructor(place: HTMLElement, changed: () => void) {
+    this._place = place;
+    this._changed = changed;
+    this.renderer.shadowMap.enabled = true;
+    this.renderer.shadowMap.type = PCFShadowMap;
+    this.renderer.toneMapping = NeutralToneMapping;
+    this.scene.background = this._background;
+    this.scene.add(this.floor.group, this.lights.group);
+    this.canvas.tabIndex = 0;
+    this.canvas.setAttribute("role", "img");
+    this.canvas.setAttribute("aria-label", "The performers. Drag to turn the view; the arrow keys turn it as well.");
+    place.prepend(this.canvas);
+    new ResizeObserver(() => this._fit()).observe(place);
+    this.canvas.addEventListener("webglcontextrestored", changed);
+  }
+
+  draw(): void {
+    this.renderer.render(this.scene, this.camera);
+  }
+
+  /** @param pixels The most pixels for a point of the page. @param shadows Pixels of the shadows' side. */
+  setQuality(pixels: number, shadows: number): void {
+    this._mostPixels = pixels;
+    this.lights.setDetail(shadows);
+    this._fit();
+  }
+
+  /** Shows the colours of the dark or the light theme. */
+  paint(dark: boolean): void {
+    const colours = dark ? DarkScene : LightScene;
+    this._background.setHex(colours.background);
+    this.floor.paint(colours);
+    this.lights.paint(colours);
+    this._changed();
+  }
+
+  private _fit(): void {
+    const { clientWidth: width, clientHeight: height } = this._place;
+    if (width === 0 || height === 0)
+      return;
+
+    this.renderer.setPixelRatio(Math.min(this._mostPixels, devicePixelRatio));
+    this.renderer.setSize(width, height);
+    this.camera.aspect = width / height;
+    this.camera.updateProjectionMatrix();
+    this._changed();
+    this.draw();
+  }
+}
