@@ -1,0 +1,82 @@
+// The messages of the socket /control and the answers of /api.
+
+export type Vector = readonly [number, number, number];
+
+export interface BoneInfo {
+  readonly name: string;
+  /** Index of the parent in the list of bones; -1 for the hips. */
+  readonly parent: number;
+  /** Position relative to the parent in the rest pose, in metres. */
+  readonly offset: Vector;
+}
+
+export interface PerformerInfo {
+  readonly key: string;
+  readonly name: string;
+  /** The number in the performer's compact poses. */
+  readonly index: number;
+  /** #rrggbb */
+  readonly colour: string;
+  readonly variant: "Neck1" | "Spine3";
+  readonly bones: readonly BoneInfo[];
+}
+
+export interface Hello {
+  readonly name: string;
+  readonly version: string;
+  readonly mode: "live" | "take";
+  readonly source: string;
+  readonly take?: string;
+  readonly canCommand: boolean;
+  readonly performers: readonly PerformerInfo[];
+}
+
+export interface PerformerRates {
+  readonly key: string;
+  /** Frames per second that arrive at the server. */
+  readonly fps: number;
+  /** Milliseconds. */
+  readonly latency: number | null;
+  readonly jitter: number | null;
+  /** Frames that never arrived. */
+  readonly lost: number;
+  /** Frames that the server left out because they came too fast. */
+  readonly dropped: number;
+}
+
+export interface Status {
+  /** One word for programs: connecting, receiving, silent, lost and others. */
+  readonly state: string;
+  readonly words: string;
+  readonly advice?: string | null;
+  readonly address: string;
+  readonly performers: readonly PerformerRates[];
+  readonly bytesPerSecond: number;
+  readonly reconnects: number;
+}
+
+export interface Recording {
+  readonly state: string;
+  readonly file?: string | null;
+  readonly seconds: number;
+  readonly bytes: number;
+  readonly take?: string | null;
+}
+
+export interface Contact {
+  readonly key: string;
+  readonly left: boolean;
+  readonly right: boolean;
+}
+
+export type ServerMessage =
+  | ({ readonly type: "hello" } & Hello)
+  | ({ readonly type: "performer" } & PerformerInfo)
+  | { readonly type: "gone"; readonly key: string }
+  | ({ readonly type: "status" } & Status)
+  | ({ readonly type: "contact" } & Contact)
+  | ({ readonly type: "recording" } & Recording)
+  | { readonly type: "take"; readonly id: string }
+  | { readonly type: "problem"; readonly text: string }
+  /** `time` is the server's clock, in Unix milliseconds. */
+  | { readonly type: "pong"; readonly t: number; readonly time?: number };

@@ -1,0 +1,61 @@
+/** What takes dropped or chosen files. The first whose `accepts` returns true gets all of them. */
+export interface FileTaker {
+  /** What it takes, in words: "recordings (BVH, .nmrec, .calc)". */
+  readonly what: string;
+  /** Endings with a dot, for the dialog that chooses files. */
+  readonly endings: readonly string[];
+  accepts(files: readonly File[]): boolean;
+  take(files: readonly File[]): void;
+}
+
+/** Files dropped on the page, or chosen by a button. */
+export class Drops {
+  private readonly _takers: FileTaker[] = [];
+  private readonly _say: (text: string) => void;
+
+  constructor(target: HTMLElement, say: (text: string) => void) {
+    this._say = say;
+    let inside = 0;
+    const mark = (change: number): void => {
+      inside = Math.max(0, inside + change);
+      target.classList.toggle("dropping", inside > 0);
+    };
+    target.addEventListener("dragenter", event => {
+      if (event.dataTransfer?.types.includes("Files"))
+        mark(1);
+    });
+    target.addEventListener("dragleave", () => mark(-1));
+    target.addEventListener("dragover", event => event.preventDefault());
+    target.addEventListener("drop", event => {
+      event.preventDefault();
+      mark(-inside);
+      this.open([...event.dataTransfer?.files ?? []]);
+    });
+  }
+
+  add(taker: FileTaker): void {
+    this._takers.push(taker);
+  }
+
+  /** Gives files to who accepts them, or says that nobody does. */
+  open(files: readonly File[]): void {
+    if (files.length === 0)
+      return;
+
+    const taker = this._takers.find(candidate => candidate.accepts(files));
+    if (taker)
+      taker.take(files);
+    else
+      this._say(`${files[0].name} is not a file that this page shows. It shows ${this._takers.map(each => each.what).join(" and ")}.`);
+  }
+
+  /** Shows the browser's dialog. */
+  choose(): void {
+    const input = document.createElement("input");
+    input.type = "file";
+    input.multiple = true;
+    input.accept = this._takers.flatMap(taker => taker.endings).join(",");
+    input.addEventListener("change", () => this.open([...input.files ?? []]));
+    input.click();
+  }
+}

@@ -1,0 +1,54 @@
+export interface Shortcut {
+  /** The key as KeyboardEvent.key says it; letters in lower case. */
+  readonly key: string;
+  /** What the list of keys says, such as "follow the performer". */
+  readonly does: string;
+  /** How the list of keys shows the key, if its name differs. */
+  readonly label?: string;
+  readonly group: string;
+  run(): void;
+}
+
+/** Keys of the page. They do nothing while a field has the focus. */
+export class Keys {
+  private readonly _shortcuts: Shortcut[] = [];
+
+  constructor() {
+    document.addEventListener("keydown", event => {
+      if (event.ctrlKey || event.metaKey || event.altKey || isField(event))
+        return;
+
+      const key = event.key.length === 1 ? event.key.toLowerCase() : event.key;
+      const shortcut = this._shortcuts.find(each => each.key === key);
+      if (!shortcut)
+        return;
+
+      event.preventDefault();
+      shortcut.run();
+    });
+  }
+
+  get all(): readonly Shortcut[] {
+    return this._shortcuts;
+  }
+
+  /** Adds shortcuts. Returns a function that removes them. */
+  add(...shortcuts: Shortcut[]): () => void {
+    this._shortcuts.push(...shortcuts);
+    return () => {
+      for (const shortcut of shortcuts)
+        this._shortcuts.splice(this._shortcuts.indexOf(shortcut), 1);
+    };
+  }
+}
+
+// The space bar and Enter press a button that has the focus.
+function isField(event: KeyboardEvent): boolean {
+  const target = event.target as HTMLElement;
+  if (document.querySelector("dialog[open]"))
+    return true;
+  if (target.matches("button, summary, a") && (event.key === " " || event.key === "Enter"))
+    return true;
+  return target.matches("input:not([type=checkbox]):not([type=radio]):not([type=range]), select, textarea")
+    || target.matches("input[type=range], input[type=radio]") && event.key.startsWith("Arrow");
+}

@@ -1,0 +1,30 @@
+// Bundles the tests of this folder and runs them with Node's test runner. Usage: node test.mjs [NAME...]
+import { build } from "esbuild";
+import { spawnSync } from "node:child_process";
+import { mkdtemp, readdir, rm } from "node:fs/promises";
+import { tmpdir } from "node:os";
+import { dirname, join } from "node:path";
+import { fileURLToPath } from "node:url";
+
+const root = dirname(fileURLToPath(import.meta.url));
+const wanted = process.argv.slice(2);
+const tests = (await readdir(join(root, "tests"), { recursive: true }))
+  .filter(name => name.endsWith(".test.ts") && (wanted.length === 0 || wanted.some(word => name.includes(word))));
+const folder = await mkdtemp(join(tmpdir(), "neuron-mocap-page-"));
+try {
+  await build({
+    absWorkingDir: root,
+    entryPoints: tests.map(name => join("tests", name)),
+    outdir: folder,
+    outExtension: { ".js": ".mjs" },
+    bundle: true,
+    format: "esm",
+    platform: "node",
+    target: "es2022",
+    logLevel: "warning",
+  });
+  const run = spawnSync(process.execPath, ["--test", folder], { stdio: "inherit" });
+  process.exitCode = run.status ?? 1;
+} finally {
+  await rm(folder, { recursive: true, force: true });
+}
