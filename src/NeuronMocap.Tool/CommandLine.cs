@@ -12,6 +12,7 @@ using NeuronMocap.Tool.Plot;
 using NeuronMocap.Tool.Relay;
 using NeuronMocap.Tool.Simulate;
 using NeuronMocap.Tool.Terminal;
+using NeuronMocap.Tool.View;
 using NeuronMocap.Tool.Watch;
 
 namespace NeuronMocap.Tool;
@@ -79,8 +80,8 @@ internal static class CommandLine
         var root = new RootCommand(ProgramHelp.Description);
         foreach (Verb verb in (Verb[])
             [
-                new WatchVerb(), new DiagnoseVerb(), new SimulateVerb(), new RelayVerb(), new PlayVerb(), new InfoVerb(), new ConvertVerb(), new PlotVerb(), new CommandVerb(),
-                new CompletionVerb(),
+                new WatchVerb(), new ViewVerb(), new DiagnoseVerb(), new SimulateVerb(), new RelayVerb(), new PlayVerb(), new InfoVerb(), new ConvertVerb(), new PlotVerb(),
+                new CommandVerb(), new CompletionVerb(),
             ])
         {
             verb.SetAction((result, _) => verb.RunAsync(result, streams, cancellationToken));

@@ -1,8 +1,5 @@
 using System.Globalization;
-using System.Security.Cryptography;
-using System.Text;
 using Microsoft.AspNetCore.Http;
-using Microsoft.Net.Http.Headers;
 
 namespace NeuronMocap.AspNetCore;
 
@@ -17,8 +14,6 @@ internal sealed record Refusal(int Status, string Reason);
 /// <param name="MaxRate">Frames per second of each avatar; 0 for all.</param>
 internal sealed record WebSocketRequest(WebSocketForm Form, string? Subprotocol, double MaxRate)
 {
-    private const string Bearer = "Bearer ";
-
     private static readonly (string Name, WebSocketForm Form)[] Forms = [("json", WebSocketForm.Json), ("packet", WebSocketForm.Packet), ("pose", WebSocketForm.Pose)];
 
     /// <summary>Reads a request, or finds out why it is refused.</summary>
@@ -27,7 +22,7 @@ internal sealed record WebSocketRequest(WebSocketForm Form, string? Subprotocol,
         string origin = context.Request.Headers.Origin.ToString();
         if (origin.Length > 0 && !AllowedOrigin.Allows(options.AllowedOrigins, origin))
             return Refuse(StatusCodes.Status403Forbidden, "The server does not allow pages of this origin. Its setting AllowedOrigins, or --allow-origin, lists those that it allows.");
-        if (options.Token is { } token && !HasToken(context.Request, token))
+        if (options.Token is { } token && !AccessToken.IsIn(context.Request, token))
             return Refuse(StatusCodes.Status401Unauthorized, "The token is missing or wrong. Send the header Authorization: Bearer TOKEN, or ?token=TOKEN.");
         if (!context.WebSockets.IsWebSocketRequest)
             return Refuse(StatusCodes.Status400BadRequest, "This address sends motion to WebSocket clients. Connect with ws:// or wss://.");
@@ -49,15 +44,6 @@ internal sealed record WebSocketRequest(WebSocketForm Form, string? Subprotocol,
     }
 
     private static (WebSocketRequest? Request, Refusal? Refusal) Refuse(int status, string reason) => (null, new Refusal(status, reason));
-
-    private static bool HasToken(HttpRequest request, string token)
-    {
-        string header = request.Headers[HeaderNames.Authorization].ToString();
-        string given = header.StartsWith(Bearer, StringComparison.OrdinalIgnoreCase) ? header[Bearer.Length..].Trim() : request.Query["token"].ToString();
-
-        // Takes the same time for every word, so the time tells nothing of the right one.
-        return CryptographicOperations.FixedTimeEquals(SHA256.HashData(Encoding.UTF8.GetBytes(given)), SHA256.HashData(Encoding.UTF8.GetBytes(token)));
-    }
 
     private static bool TryReadRate(HttpRequest request, out double rate)
     {

@@ -1,6 +1,4 @@
 using System.Net;
-using System.Net.Sockets;
-using Microsoft.AspNetCore.Connections;
 using NeuronMocap.AspNetCore;
 using NeuronMocap.Server;
 using NeuronMocap.Tool.Simulate;
@@ -32,12 +30,8 @@ internal sealed record WebSocketDestination(string Text, IPEndPoint EndPoint) : 
         {
             return WebSocketOutlet.Start(reader, EndPoint, new WebSocketBroadcasterOptions { Token = Token, AllowedOrigins = AllowedOrigins });
         }
-        catch (Exception exception) when (exception is IOException or SocketException)
+        catch (BroadcasterException failure)
         {
-            // Kestrel reports a port in use in its own way.
-            SocketException cause = exception as SocketException ?? exception.InnerException as SocketException
-                ?? new SocketException((int)(exception.InnerException is AddressInUseException ? SocketError.AddressAlreadyInUse : SocketError.SocketError));
-            var failure = BroadcasterException.CannotListen(EndPoint, nameof(BroadcasterOptions.Port), cause);
             throw new RelayException(StartFailure.DescribeArgument(failure, Text, EndPoint));
         }
     }

@@ -1,10 +1,7 @@
 using System.Net;
 using Microsoft.AspNetCore.Builder;
-using Microsoft.AspNetCore.Hosting;
-using Microsoft.AspNetCore.Server.Kestrel.Transport.Sockets;
-using Microsoft.Extensions.DependencyInjection;
-using Microsoft.Extensions.Hosting;
 using NeuronMocap.AspNetCore;
+using NeuronMocap.Tool.Listening;
 using NeuronMocap.Tool.Terminal;
 
 namespace NeuronMocap.Tool.Relay.Destinations;
@@ -12,19 +9,13 @@ namespace NeuronMocap.Tool.Relay.Destinations;
 /// <summary>A web server with one address, for WebSocket clients.</summary>
 internal sealed class WebSocketOutlet : Outlet
 {
-    private static readonly TimeSpan CloseTimeout = TimeSpan.FromSeconds(3);
-
-    // What Kestrel holds for each client that does not read: about two lines of JSON.
-    private const int MostUnsent = 16 * 1024;
-
-    private readonly WebApplication _application;
+    private readonly WebListener _listener;
     private readonly WebSocketBroadcaster _broadcaster;
-    private bool _isStopped;
 
-    private WebSocketOutlet(WebApplication application, WebSocketBroadcaster broadcaster, IPEndPoint endPoint, bool isOpen)
+    private WebSocketOutlet(WebListener listener, WebSocketBroadcaster broadcaster, bool isOpen)
     {
-        (_application, _broadcaster) = (application, broadcaster);
-        Name = $"{WebSocketDestination.Scheme}{new IPEndPoint(endPoint.Address, new Uri(application.Urls.Single()).Port)}";
+        (_listener, _broadcaster) = (listener, broadcaster);
+        Name = $"{WebSocketDestination.Scheme}{listener.LocalEndPoint}";
         Announcement = $"Listening on {Name}{(isOpen ? ": anybody who reaches this port may connect; --token WORD limits it" : string.Empty)}";
     }
 
@@ -38,33 +29,21 @@ internal sealed class WebSocketOutlet : Outlet
     /// <param name="reader">The reader.</param>
     /// <param name="endPoint">Where to listen.</param>
     /// <param name="options">Who may connect.</param>
-    /// <exception cref="IOException">The port is in use.</exception>
-    /// <exception cref="System.Net.Sockets.SocketException">The address or the port is not available.</exception>
+    /// <exception cref="Server.BroadcasterException">The address or the port is not available.</exception>
     public static WebSocketOutlet Start(NeuronReader reader, IPEndPoint endPoint, WebSocketBroadcasterOptions options)
     {
-        // Empty: files and variables of this computer that configure other web applications do not matter here.
-        WebApplicationBuilder builder = WebApplication.CreateEmptyBuilder(new WebApplicationOptions());
-        builder.WebHost.UseKestrelCore().ConfigureKestrel(kestrel =>
-        {
-            kestrel.AddServerHeader = false;
-            kestrel.Limits.MaxResponseBufferSize = MostUnsent;
-            kestrel.Listen(endPoint);
-        });
-        builder.Services.Configure<SocketTransportOptions>(static transport => transport.MaxWriteBufferSize = MostUnsent);
-        builder.Services.AddRoutingCore().AddSingleton<IHostLifetime, NoLifetime>();
-        builder.Services.Configure<HostOptions>(static host => host.ShutdownTimeout = CloseTimeout);
-        WebApplication application = builder.Build();
+        WebListener listener = WebListener.Create(endPoint);
         var broadcaster = new WebSocketBroadcaster(reader, options);
-        application.MapNeuronWebSocket("/", broadcaster);
+        listener.Application.MapNeuronWebSocket("/", broadcaster);
         try
         {
-            application.StartAsync().GetAwaiter().GetResult();
-            return new WebSocketOutlet(application, broadcaster, endPoint, isOpen: options.Token is null && !IPAddress.IsLoopback(endPoint.Address));
+            listener.Start();
+            return new WebSocketOutlet(listener, broadcaster, isOpen: options.Token is null && !IPAddress.IsLoopback(endPoint.Address));
         }
         catch
         {
             broadcaster.DisposeAsync().AsTask().GetAwaiter().GetResult();
-            ((IDisposable)application).Dispose();
+            ((IDisposable)listener.Application).Dispose();
             throw;
         }
     }
@@ -92,21 +71,7 @@ internal sealed class WebSocketOutlet : Outlet
 
     public override async ValueTask DisposeAsync()
     {
-        await Task.WhenAny(_broadcaster.DisposeAsync().AsTask(), Task.Delay(CloseTimeout));
-
-        // Kestrel sends what is left. Disposing it alone resets the connections.
-        if (!_isStopped)
-            await _application.StopAsync();
-
-        _isStopped = true;
-        await _application.DisposeAsync();
-    }
-
-    // The program itself decides when to end.
-    private sealed class NoLifetime : IHostLifetime
-    {
-        public Task WaitForStartAsync(CancellationToken cancellationToken) => Task.CompletedTask;
-
-        public Task StopAsync(CancellationToken cancellationToken) => Task.CompletedTask;
+        await Task.WhenAny(_broadcaster.DisposeAsync().AsTask(), Task.Delay(WebListener.CloseTimeout));
+        await _listener.DisposeAsync();
     }
 }

@@ -61,7 +61,7 @@ internal static class ProblemView
     {
         ConnectionStatus status = state.Status;
         if (status.State != ConnectionState.Receiving)
-            return new(TitleOf(status), status.Describe(), Palette.Of(status.State));
+            return new(status.Title().ToUpperInvariant(), status.Describe(), Palette.Of(status.State));
         if (state.Pose is { HasSkeleton: true })
             return null;
 
@@ -74,43 +74,11 @@ internal static class ProblemView
 
     private static (string Title, string Message, Color Color) Explain(LiveState state)
     {
-        if (state.Pose is { HasSkeleton: false } pose)
-        {
-            return (
-                "FRAMES WITHOUT A SKELETON",
-                $"A frame has {pose.Header.ValueCount} values. A skeleton of 59 bones has 180, 186, 354 or 360. The option --json shows the values.",
-                Palette.Warning);
-        }
-
         bool hasCalculation = state.Counters.Avatars.Any(avatar => avatar.Kind is PacketKind.Calculation or PacketKind.StudioCalculation);
-        return hasCalculation
-            ? (
-                "CALCULATION DATA ONLY",
-                "The skeleton needs BVH data. Switch BVH on for this port in the server's broadcasting settings.",
-                Palette.Warning)
+        return MissingSkeleton.Explain(state.Pose?.Header.ValueCount, hasCalculation) is var (title, message)
+            ? (title.ToUpperInvariant(), message, Palette.Warning)
             : ("RECEIVING", "The first frame has not arrived yet.", Palette.Of(ConnectionState.Receiving));
     }
-
-    private static string TitleOf(ConnectionStatus status) => (status.State, status.Reason) switch
-    {
-        (ConnectionState.Connected, _) => "CONNECTED, WAITING FOR FRAMES",
-        (ConnectionState.Connecting or ConnectionState.Created, _) => "CONNECTING",
-        (ConnectionState.Silent, ConnectionReason.UnknownFormat) => "DATA ARRIVES, BUT NO FRAMES",
-        (ConnectionState.Silent, ConnectionReason.SenderNotAllowed) => "SENDER NOT ALLOWED",
-        (ConnectionState.Silent, _) => "NOTHING ARRIVES",
-        (_, ConnectionReason.Refused) => "CONNECTION REFUSED",
-        (_, ConnectionReason.TimedOut) => "NO ANSWER",
-        (_, ConnectionReason.HostNotFound) => "HOST NOT FOUND",
-        (_, ConnectionReason.Unreachable) => "NO ROUTE",
-        (_, ConnectionReason.Reset or ConnectionReason.ClosedByPeer) => "CONNECTION CLOSED",
-        (_, ConnectionReason.PortInUse) => "PORT IN USE",
-        (_, ConnectionReason.AddressUnavailable or ConnectionReason.AccessDenied) => "NOT ALLOWED",
-        (_, ConnectionReason.CertificateRejected) => "CERTIFICATE REJECTED",
-        (_, ConnectionReason.TlsFailed) => "NO TLS",
-        (_, ConnectionReason.EndOfRecording) => "END OF THE RECORDING",
-        (ConnectionState.Stopped, _) => "STOPPED",
-        _ => "NO CONNECTION",
-    };
 }
 
 /// <summary>A problem and its solution.</summary>

@@ -1,0 +1,12 @@
+using NeuronMocap.Tool.View.Web;
+
+namespace NeuronMocap.Tool.View.Takes;
+
+/// <summary>The takes that are open, with the addresses below /api/takes.</summary>
+internal interface ITakeLibrary : IViewPart
+{
+    /// <summary>Opens a file of this computer: the SOURCE of the command line, or a finished recording.</summary>
+    /// <returns>The id of the take.</returns>
+    /// <exception cref="ApiException">The file cannot be opened. The message is one sentence without its path.</exception>
+    Task<string> OpenAsync(string path, CancellationToken cancellationToken);
+}

@@ -1,0 +1,74 @@
+using System.Net;
+using System.Net.Sockets;
+using Microsoft.AspNetCore.Http;
+using NeuronMocap.AspNetCore;
+
+namespace NeuronMocap.Tool.View.Web;
+
+/// <summary>Decides who may use the server.</summary>
+/// <param name="token">The word that a browser must send; null for none.</param>
+/// <param name="isPublic">Whether other computers can reach the server.</param>
+internal sealed class AccessPolicy(string? token, bool isPublic)
+{
+    private const string Localhost = "localhost";
+
+    // The names of this computer. A name of somebody else leads here only by DNS rebinding.
+    private readonly HashSet<string> _names = isPublic ? NamesOfThisComputer() : [];
+
+    /// <summary>Finds out why a request is refused.</summary>
+    /// <returns>A status and a sentence; null if the request is allowed.</returns>
+    public (int Status, string Reason)? FindRefusal(HttpRequest request)
+    {
+        if (!IsHostAllowed(request.Host))
+            return (StatusCodes.Status421MisdirectedRequest, "The address of the page does not name this computer. Open the link that the program shows.");
+
+        // Everybody may load the page itself. It holds nothing of the stream.
+        if (PageFiles.Contain(request.Path))
+            return null;
+        if (!IsOriginAllowed(request))
+            return (StatusCodes.Status403Forbidden, "Pages of other web sites may not use this server.");
+        if (token is not null && !AccessToken.IsIn(request, token))
+            return (StatusCodes.Status401Unauthorized, "The link is incomplete or old. Open the link that the program shows, with its token.");
+
+        return null;
+    }
+
+    // An address in digits is never the result of DNS rebinding.
+    private bool IsHostAllowed(HostString host)
+    {
+        string name = host.Host.Trim('[', ']').TrimEnd('.');
+        if (IPAddress.TryParse(name, out IPAddress? address))
+            return isPublic || IPAddress.IsLoopback(address);
+
+        return name.Equals(Localhost, StringComparison.OrdinalIgnoreCase) || _names.Contains(name);
+    }
+
+    private static bool IsOriginAllowed(HttpRequest request)
+    {
+        string origin = request.Headers.Origin.ToString();
+        if (origin.Length > 0)
+            return IsSame(origin, request) || AllowedOrigin.Allows([], origin);
+
+        // Browsers leave the origin out of plain requests, but say where they come from.
+        return !request.Headers["Sec-Fetch-Site"].ToString().Equals("cross-site", StringComparison.OrdinalIgnoreCase);
+    }
+
+    private static bool IsSame(string origin, HttpRequest request) => origin.Equals($"{request.Scheme}://{request.Host}", StringComparison.OrdinalIgnoreCase);
+
+    private static HashSet<string> NamesOfThisComputer()
+    {
+        var names = new HashSet<string>(StringComparer.OrdinalIgnoreCase);
+        try
+        {
+            string name = Dns.GetHostName();
+            string first = name.Split('.')[0];
+            names.UnionWith([name, first, first + ".local", first + ".lan", first + ".home"]);
+        }
+        catch (SocketException)
+        {
+            // A computer without a name is reached by its address.
+        }
+
+        return names;
+    }
+}
