@@ -5,6 +5,7 @@ using NeuronMocap.Tool.Arguments;
 using NeuronMocap.Tool.Output;
 using NeuronMocap.Tool.Simulate;
 using NeuronMocap.Tool.Terminal;
+using NeuronMocap.Tool.View.Characters;
 using NeuronMocap.Tool.View.Control;
 using NeuronMocap.Tool.View.Live;
 using NeuronMocap.Tool.View.Performers;
@@ -57,8 +58,9 @@ internal sealed class ViewRun(ViewOptions options, StandardStreams streams)
         await using var hub = new ControlHub(() => [Hello(live!), .. live!.Greet()]);
         await using (live = new LiveSession(reader, options.Source.ToString(), hub))
         {
+            await using var characters = new CharacterLibrary(live);
             reader.Start();
-            return await ServeAsync([hub, live], cancellationToken);
+            return await ServeAsync([hub, live, characters], cancellationToken);
         }
     }
 
