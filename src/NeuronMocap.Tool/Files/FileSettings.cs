@@ -9,6 +9,9 @@ namespace NeuronMocap.Tool.Files;
 /// <param name="Output">The file to write; null if none is written.</param>
 internal sealed record FileSettings(string Input, string? Output)
 {
+    /// <summary>Name of the input for people, if it differs from that of the file; otherwise null.</summary>
+    public string? InputName { get; init; }
+
     /// <summary>Whether an existing output may be replaced.</summary>
     public bool Overwrite { get; init; }
 

@@ -18,6 +18,7 @@ namespace NeuronMocap.Tool.View;
 internal sealed class ViewRun(ViewOptions options, StandardStreams streams)
 {
     private const int WidestText = 160;
+    private const long UploadsThatFit = 8;
 
     private static readonly string Version = Assembly.GetExecutingAssembly().GetCustomAttribute<AssemblyInformationalVersionAttribute>()!.InformationalVersion;
 
@@ -46,26 +47,40 @@ internal sealed class ViewRun(ViewOptions options, StandardStreams streams)
         }
     }
 
-    // The branch of takes opens the file here.
-    private static Task<int> ShowFileAsync(string file, CancellationToken cancellationToken) => throw ApiException.BadRequest($"'{file}': files cannot be opened yet.");
+    private async Task<int> ShowFileAsync(string file, CancellationToken cancellationToken)
+    {
+        using var scratch = CreateScratch();
+        string? take = null;
+        await using var hub = new ControlHub(() => [Hello("take", take, performers: [])]);
+        await using ITakeLibrary takes = CreateTakes(scratch, hub);
+        await using var characters = new CharacterLibrary(live: null, takes);
+        take = await takes.OpenAsync(file, cancellationToken);
+        return await ServeAsync([hub, takes, characters], cancellationToken);
+    }
 
     private async Task<int> ShowStreamAsync(CancellationToken cancellationToken)
     {
         using Broadcaster? demo = options.Connection.IsDemo ? Broadcaster.StartDemo(rotationOrder: options.Connection.RotationOrder ?? RotationOrder.YXZ) : null;
         ServerAddress? server = demo is null ? options.Connection.Server : ServerAddress.Of(demo.LocalEndPoint!);
+        using var scratch = CreateScratch();
         await using var reader = new NeuronReader(options.Connection.ToReaderOptions(server));
         LiveSession? live = null;
-        await using var hub = new ControlHub(() => [Hello(live!), .. live!.Greet()]);
+        await using var hub = new ControlHub(() => [Hello("live", take: null, live!.Introduce()), .. live.Greet()]);
         await using (live = new LiveSession(reader, options.Source.ToString(), hub))
+        await using (ITakeLibrary takes = CreateTakes(scratch, hub))
         {
-            await using var characters = new CharacterLibrary(live);
+            await using var characters = new CharacterLibrary(live, takes);
             reader.Start();
-            return await ServeAsync([hub, live, characters], cancellationToken);
+            return await ServeAsync([hub, live, takes, characters], cancellationToken);
         }
     }
 
-    private HelloJson Hello(LiveSession live) =>
-        new(ToolCommand.Name, Version, "live", options.Source.ToString(), Take: null, CanCommand: options.Connection.CommandPort is not null, live.Introduce());
+    private HelloJson Hello(string mode, string? take, IReadOnlyList<PerformerJson> performers) =>
+        new(ToolCommand.Name, Version, mode, options.Source.ToString(), take, CanCommand: options.Connection.CommandPort is not null, performers);
+
+    private ScratchFolder CreateScratch() => new(UploadsThatFit * options.UploadMegabytes * BodyLimit.Megabyte);
+
+    private ITakeLibrary CreateTakes(ScratchFolder scratch, ControlHub hub) => new TakeService(scratch, hub, options.UploadMegabytes);
 
     private async Task<int> ServeAsync(IReadOnlyList<IViewPart> parts, CancellationToken cancellationToken)
     {

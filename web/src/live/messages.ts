@@ -4,8 +4,8 @@ export type Vector = readonly [number, number, number];
 
 export interface BoneInfo {
   readonly name: string;
-  /** Index of the parent in the list of bones; -1 for the hips. */
-  readonly parent: number;
+  /** Name of the parent, which comes earlier in the list; null for the hips. */
+  readonly parent: string | null;
   /** Position relative to the parent in the rest pose, in metres. */
   readonly offset: Vector;
 }

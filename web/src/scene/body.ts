@@ -15,9 +15,9 @@ export class Body {
 
   constructor(info: PerformerInfo) {
     this.names = info.bones.map(bone => bone.name);
-    this.parents = Int8Array.from(info.bones, bone => bone.parent);
-    this.offsets = Float32Array.from(info.bones.flatMap(bone => [...bone.offset]));
     this._indices = new Map(this.names.map((name, index) => [name, index]));
+    this.parents = Int8Array.from(info.bones, bone => bone.parent === null ? -1 : this.indexOf(bone.parent));
+    this.offsets = Float32Array.from(info.bones.flatMap(bone => [...bone.offset]));
   }
 
   /** The index of a bone, or -1. */

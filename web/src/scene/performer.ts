@@ -1,7 +1,13 @@
-import { Group } from "three";
+import { Group, type Vector2 } from "three";
 import type { PerformerInfo } from "../live/messages";
 import { Pose } from "../live/pose";
+import type { Settings } from "../page/settings";
+import { JointAxes } from "./axes";
 import { Body } from "./body";
+import { ContactMarks } from "./contacts";
+import type { Figure } from "./figure";
+import { Sticks } from "./sticks";
+import { Trails } from "./trails";
 
 /** One performer on the stage. */
 export class Performer {
@@ -13,22 +19,90 @@ export class Performer {
   readonly group = new Group();
   /** False until the first pose. */
   hasPose = false;
-  /** Set by a character that takes the place of the figure. Sticks, trails and names stay. */
+  /** Poses since the performer came. */
+  poses = 0;
+  /** Set by a character that takes the place of the figure. Trails and names stay. */
   figureReplaced = false;
+  /** Hidden by the list of performers. */
+  hidden = false;
+  private readonly _sticks: Sticks;
+  private readonly _axes: JointAxes;
+  private readonly _trails: Trails;
+  private readonly _contacts: ContactMarks;
+  private _figure: Figure | null = null;
+  private _isNew = false;
 
-  constructor(info: PerformerInfo) {
+  constructor(info: PerformerInfo, pictureSize: Vector2) {
     this.info = info;
     this.body = new Body(info);
+    this._sticks = new Sticks(this.body, info.colour);
+    this._axes = new JointAxes(this.body);
+    this._trails = new Trails(this.body, info.colour, pictureSize);
+    this._contacts = new ContactMarks(this.body, info.colour);
+    this.group.add(this._sticks.group, this._axes.lines, this._trails.mesh, ...this._contacts.meshes);
+    this.group.visible = false;
+  }
+
+  /** Replaces the sticks, unless they are chosen. */
+  setFigure(figure: Figure): void {
+    this._figure?.dispose();
+    this._figure = figure;
+    this.group.add(figure.root);
+    this._isNew = true;
   }
 
   /** Shows a pose from now on. Copies it. */
   show(pose: Pose): void {
     this.pose.copy(pose);
-    this.hasPose = true;
     this.body.show(pose);
+    this.hasPose = true;
+    this.poses++;
+    this._isNew = true;
+  }
+
+  setContacts(left: boolean, right: boolean): void {
+    this._contacts.set(left, right);
+  }
+
+  /** Moves what is visible to the newest pose. Returns whether the picture changes. */
+  update(settings: Settings, step: number): boolean {
+    const faded = this._contacts.update(step, settings.contacts);
+    if (!this._isNew)
+      return faded;
+
+    this._isNew = false;
+    this.group.visible = this.hasPose && !this.hidden;
+    const withFigure = settings.look === "figure" && this._figure !== null;
+    this._sticks.group.visible = !withFigure && !this.figureReplaced;
+    this._axes.lines.visible = settings.axes;
+    this._trails.mesh.visible = settings.trails;
+    if (this._figure)
+      this._figure.root.visible = withFigure && !this.figureReplaced;
+    if (!this.group.visible)
+      return true;
+
+    if (this._figure?.root.visible)
+      this._figure.show(this.pose);
+    if (this._sticks.group.visible)
+      this._sticks.update();
+    if (settings.axes)
+      this._axes.update();
+    if (settings.trails)
+      this._trails.update(this.pose.time);
+    return true;
+  }
+
+  /** The settings or what replaces the figure have changed. */
+  refresh(): void {
+    this._isNew = true;
   }
 
   dispose(): void {
     this.group.removeFromParent();
+    this._figure?.dispose();
+    this._sticks.dispose();
+    this._axes.dispose();
+    this._trails.dispose();
+    this._contacts.dispose();
   }
 }

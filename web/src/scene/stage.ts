@@ -1,4 +1,9 @@
-import { Color, DirectionalLight, HemisphereLight, PerspectiveCamera, Scene, WebGLRenderer } from "three";
+import { Color, NeutralToneMapping, PCFShadowMap, PerspectiveCamera, Scene, WebGLRenderer } from "three";
+import { DarkScene, LightScene } from "./colours";
+import { Floor } from "./floor";
+import { Lights } from "./lights";
+
+const MostPixelsPerPoint = 2;
 
 /** The scene with light and floor, and the canvas that shows it. Metres, Y up. */
 export class Stage {
@@ -6,23 +11,49 @@ export class Stage {
   readonly camera = new PerspectiveCamera(35, 1, 0.05, 200);
   readonly renderer = new WebGLRenderer({ antialias: true, powerPreference: "high-performance" });
   readonly canvas = this.renderer.domElement;
+  readonly floor = new Floor();
+  readonly lights = new Lights();
+  private readonly _background = new Color();
+  private readonly _changed: () => void;
 
   constructor(place: HTMLElement, changed: () => void) {
-    place.append(this.canvas);
-    this.scene.background = new Color(0x16181d);
-    this.scene.add(new HemisphereLight(0xffffff, 0x444444, 1.2), new DirectionalLight(0xffffff, 2));
-    this.camera.position.set(0, 1.5, 5);
-    this.camera.lookAt(0, 1, 0);
-    new ResizeObserver(() => {
-      this.renderer.setPixelRatio(Math.min(2, devicePixelRatio));
-      this.renderer.setSize(place.clientWidth, place.clientHeight);
-      this.camera.aspect = place.clientWidth / Math.max(1, place.clientHeight);
-      this.camera.updateProjectionMatrix();
-      changed();
-    }).observe(place);
+    this._changed = changed;
+    this.renderer.shadowMap.enabled = true;
+    this.renderer.shadowMap.type = PCFShadowMap;
+    this.renderer.toneMapping = NeutralToneMapping;
+    this.scene.background = this._background;
+    this.scene.add(this.floor.group, this.lights.group);
+    this.canvas.tabIndex = 0;
+    this.canvas.setAttribute("role", "img");
+    this.canvas.setAttribute("aria-label", "The performers. Drag to turn the view; the arrow keys turn it as well.");
+    place.prepend(this.canvas);
+    new ResizeObserver(() => this._fit(place)).observe(place);
+    this.canvas.addEventListener("webglcontextrestored", changed);
   }
 
   draw(): void {
     this.renderer.render(this.scene, this.camera);
+  }
+
+  /** Shows the colours of the dark or the light theme. */
+  paint(dark: boolean): void {
+    const colours = dark ? DarkScene : LightScene;
+    this._background.setHex(colours.background);
+    this.floor.paint(colours);
+    this.lights.paint(colours);
+    this._changed();
+  }
+
+  private _fit(place: HTMLElement): void {
+    const { clientWidth: width, clientHeight: height } = place;
+    if (width === 0 || height === 0)
+      return;
+
+    this.renderer.setPixelRatio(Math.min(MostPixelsPerPoint, devicePixelRatio));
+    this.renderer.setSize(width, height);
+    this.camera.aspect = width / height;
+    this.camera.updateProjectionMatrix();
+    this._changed();
+    this.draw();
   }
 }

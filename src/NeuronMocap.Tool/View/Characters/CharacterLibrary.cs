@@ -9,13 +9,15 @@ using Microsoft.Extensions.DependencyInjection;
 using Microsoft.Extensions.Hosting;
 using NeuronMocap.AspNetCore;
 using NeuronMocap.Tool.View.Live;
+using NeuronMocap.Tool.View.Takes;
 using NeuronMocap.Tool.View.Web;
 
 namespace NeuronMocap.Tool.View.Characters;
 
 /// <summary>The characters of all pages: /api/characters, and a socket with poses for each of them. Thread-safe.</summary>
 /// <param name="live">The stream; null if a take is open instead.</param>
-internal sealed class CharacterLibrary(LiveSession? live) : IViewPart
+/// <param name="takes">The takes.</param>
+internal sealed class CharacterLibrary(LiveSession? live, ITakeLibrary takes) : IViewPart
 {
     /// <summary>Number of characters. A further one replaces the one that no page has used for the longest time.</summary>
     public const int MostCharacters = 64;
@@ -35,6 +37,7 @@ internal sealed class CharacterLibrary(LiveSession? live) : IViewPart
         endpoints.MapPost("/api/characters", AddAsync).WithMetadata(new BodyLimit(LargestBody));
         endpoints.MapPut("/api/characters/{id}", ChangeAsync);
         endpoints.MapDelete("/api/characters/{id}", RemoveAsync);
+        endpoints.MapGet("/api/takes/{id}/characters/{character}/poses", SendPosesAsync);
         IApplicationBuilder application = endpoints.CreateApplicationBuilder().Use(LimitedInput.InsertAsync).UseWebSockets(new WebSocketOptions { KeepAliveInterval = KeepAliveInterval });
         application.Run(ServeAsync);
         endpoints.Map("/characters/{id}/motion", application.Build());
@@ -96,6 +99,16 @@ internal sealed class CharacterLibrary(LiveSession? live) : IViewPart
         motion.End(WebSocketCloseStatus.NormalClosure, "The character was removed.");
         context.Response.StatusCode = StatusCodes.Status204NoContent;
         return Task.CompletedTask;
+    }
+
+    private Task SendPosesAsync(HttpContext context)
+    {
+        Character character = Find(context.GetRouteValue("character") as string).Character;
+        string key = context.Request.Query["performer"].ToString();
+        TakePerformer performer = takes.FindPerformer(key) ?? throw ApiException.NotFound("No open take has this performer.");
+        long first = TakeRequest.GetNumber(context, "from", usual: 0, least: 0, most: long.MaxValue / 2);
+        int count = (int)TakeRequest.GetNumber(context, "count", usual: 1, least: 1, CharacterTake.MostFrames);
+        return new CharacterTake(character, performer).SendAsync(context, first, count);
     }
 
     private async Task ServeAsync(HttpContext context)

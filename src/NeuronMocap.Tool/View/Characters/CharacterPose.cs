@@ -19,6 +19,9 @@ internal static class CharacterPose
     private const byte Version = 1;
     private const byte Kind = 2;
 
+    /// <summary>Gets the size of a character's poses.</summary>
+    public static int SizeOf(CharacterRig rig) => HeaderSize + (rig.Bones.Length * CompactRotation.Size);
+
     /// <summary>Encodes a pose.</summary>
     /// <param name="rig">The character.</param>
     /// <param name="pose">Its pose.</param>

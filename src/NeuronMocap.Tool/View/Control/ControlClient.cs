@@ -112,7 +112,7 @@ internal sealed class ControlClient(WebSocket socket, LimitedInput input, HttpCo
         try
         {
             if (JsonSerializer.Deserialize<PingJson>(message, ApiJson.Options) is { Type: "ping" } ping)
-                Put(ApiJson.ToBytes(new PongJson("pong", ping.T)));
+                Put(ApiJson.ToBytes(new PongJson("pong", ping.T, (DateTime.UtcNow - DateTime.UnixEpoch).TotalMilliseconds)));
         }
         catch (JsonException)
         {
@@ -125,5 +125,6 @@ internal sealed class ControlClient(WebSocket socket, LimitedInput input, HttpCo
 
     private sealed record PingJson(string? Type, double? T);
 
-    private sealed record PongJson(string Type, double? T);
+    // The time is that of this computer, so that the page can tell how old a pose is.
+    private sealed record PongJson(string Type, double? T, double Time);
 }

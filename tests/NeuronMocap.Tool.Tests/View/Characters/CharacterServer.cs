@@ -7,6 +7,8 @@ using NeuronMocap.Tool.View;
 using NeuronMocap.Tool.View.Characters;
 using NeuronMocap.Tool.View.Control;
 using NeuronMocap.Tool.View.Live;
+using NeuronMocap.Tool.View.Takes;
+using NeuronMocap.Tool.View.Web;
 
 namespace NeuronMocap.Tool.Tests.View.Characters;
 
@@ -20,14 +22,17 @@ internal sealed class CharacterServer : IAsyncDisposable
     private readonly LiveSession _live;
     private readonly ViewServer _server;
     private readonly HttpClient _http;
+    private readonly ScratchFolder _scratch;
 
-    private CharacterServer(NeuronReader reader, ControlHub hub, LiveSession live, CharacterLibrary library, ViewServer server)
+    private CharacterServer(NeuronReader reader, ControlHub hub, LiveSession live, ScratchFolder scratch, ITakeLibrary takes, CharacterLibrary library, ViewServer server)
     {
-        (_reader, _hub, _live, Library, _server) = (reader, hub, live, library, server);
+        (_reader, _hub, _live, _scratch, Takes, Library, _server) = (reader, hub, live, scratch, takes, library, server);
         _http = new HttpClient { BaseAddress = new Uri($"http://{server.LocalEndPoint}/"), Timeout = Limit };
     }
 
     public CharacterLibrary Library { get; }
+
+    public ITakeLibrary Takes { get; }
 
     /// <summary>The frames that were taken from the reader for characters.</summary>
     public long FramesTaken => _live.Motion.FramesTaken;
@@ -39,10 +44,12 @@ internal sealed class CharacterServer : IAsyncDisposable
         LiveSession? live = null;
         var hub = new ControlHub(() => [.. live!.Greet()]);
         live = new LiveSession(reader, "test", hub);
-        var library = new CharacterLibrary(live);
+        var scratch = new ScratchFolder(BodyLimit.Megabyte);
+        var takes = new TakeService(scratch, hub, uploadMegabytes: 1);
+        var library = new CharacterLibrary(live, takes);
         reader.Start();
         var options = new ViewOptions(Source.Demo, new ConnectionOptions()) { Port = 0 };
-        return new CharacterServer(reader, hub, live, library, await ViewServer.StartAsync(options, [hub, live, library]));
+        return new CharacterServer(reader, hub, live, scratch, takes, library, await ViewServer.StartAsync(options, [hub, live, takes, library]));
     }
 
     public static JsonObject Request(CharacterNode[] nodes, string performer = "0-0") => new()
@@ -66,6 +73,8 @@ internal sealed class CharacterServer : IAsyncDisposable
         byte[] bytes = await answer.Content.ReadAsByteArrayAsync(TestContext.Current.CancellationToken);
         return ((int)answer.StatusCode, bytes.Length == 0 ? default : JsonDocument.Parse(bytes).RootElement);
     }
+
+    public Task<byte[]> GetBytesAsync(string path) => _http.GetByteArrayAsync(path, TestContext.Current.CancellationToken);
 
     /// <summary>Adds a character, and returns its number.</summary>
     public async Task<uint> AddAsync(CharacterNode[] nodes, string performer = "0-0")
@@ -106,8 +115,10 @@ internal sealed class CharacterServer : IAsyncDisposable
         _http.Dispose();
         await _server.DisposeAsync();
         await Library.DisposeAsync();
+        await Takes.DisposeAsync();
         await _reader.DisposeAsync();
         await _live.DisposeAsync();
         await _hub.DisposeAsync();
+        _scratch.Dispose();
     }
 }

@@ -1,0 +1,138 @@
+import { type Api, ApiError } from "../page/api";
+import { ServerClock, unixNow } from "./clock";
+import type { Hello, ServerMessage } from "./messages";
+
+/** How the page stands with the program: `hidden` while the tab is in the background. */
+export type ConnectionState = "connecting" | "open" | "gone" | "denied" | "hidden";
+
+const FirstWait = 250;
+const LongestWait = 3000;
+const PingEvery = 2000;
+
+/** The socket /control. Connects again by itself, and rests while the tab is hidden. */
+export class Connection {
+  readonly clock = new ServerClock();
+  /** What the program said last about itself. */
+  hello: Hello | null = null;
+  /** The sentence with which the server refused. */
+  refusal = "";
+  private readonly _api: Api;
+  private readonly _listeners: ((message: ServerMessage) => void)[] = [];
+  private readonly _stateListeners: ((state: ConnectionState) => void)[] = [];
+  private _state: ConnectionState = "connecting";
+  private _socket: WebSocket | null = null;
+  private _wait = FirstWait;
+  private _attempt = 0;
+
+  constructor(api: Api) {
+    this._api = api;
+    document.addEventListener("visibilitychange", () => document.hidden ? this._rest() : this.connect());
+    addEventListener("online", () => this.connect());
+    setInterval(() => this._ping(), PingEvery);
+  }
+
+  get state(): ConnectionState {
+    return this._state;
+  }
+
+  onMessage(listener: (message: ServerMessage) => void): void {
+    this._listeners.push(listener);
+  }
+
+  onState(listener: (state: ConnectionState) => void): void {
+    this._stateListeners.push(listener);
+  }
+
+  /** Connects now, unless it is connected or the tab is hidden. */
+  connect(): void {
+    if (document.hidden)
+      this._setState("hidden");
+    else if (this._socket === null)
+      void this._connect(++this._attempt);
+  }
+
+  private async _connect(attempt: number): Promise<void> {
+    if (this._state === "hidden")
+      this._setState("connecting");
+    try {
+      // A WebSocket does not say why it was refused. This request does.
+      const hello = await this._api.get<Hello>("hello");
+      if (attempt !== this._attempt)
+        return;
+
+      if (this.hello && this.hello.version !== hello.version)
+        location.reload();
+      this.hello = hello;
+      this._open();
+    } catch (error) {
+      if (attempt !== this._attempt)
+        return;
+
+      const denied = error instanceof ApiError && (error.status === 401 || error.status === 403);
+      this.refusal = denied ? (error as Error).message : "";
+      this._setState(denied ? "denied" : "gone");
+      this._retry();
+    }
+  }
+
+  private _open(): void {
+    const socket = this._api.socket("control");
+    this._socket = socket;
+    socket.addEventListener("open", () => {
+      this._wait = FirstWait;
+      this._setState("open");
+      this._ping();
+    });
+    socket.addEventListener("message", event => this._receive(event.data as string));
+    socket.addEventListener("close", () => {
+      if (this._socket !== socket)
+        return;
+
+      this._socket = null;
+      this._setState("gone");
+      this._retry();
+    });
+  }
+
+  private _receive(text: string): void {
+    const received = unixNow();
+    const message = JSON.parse(text) as ServerMessage;
+    if (message.type === "pong") {
+      this.clock.add(message.t, message.time ?? message.t, received);
+      return;
+    }
+
+    if (message.type === "hello")
+      this.hello = message;
+    for (const listener of this._listeners)
+      listener(message);
+  }
+
+  private _ping(): void {
+    if (this._socket?.readyState === WebSocket.OPEN)
+      this._socket.send(JSON.stringify({ type: "ping", t: unixNow() }));
+  }
+
+  private _retry(): void {
+    setTimeout(() => this.connect(), this._wait);
+    this._wait = Math.min(LongestWait, this._wait * 1.6);
+  }
+
+  private _rest(): void {
+    this._attempt++;
+    const socket = this._socket;
+    this._socket = null;
+    socket?.close();
+    this._wait = FirstWait;
+    this._setState("hidden");
+  }
+
+  private _setState(state: ConnectionState): void {
+    if (state === this._state)
+      return;
+
+    this._state = state;
+    for (const listener of this._stateListeners)
+      listener(state);
+  }
+}

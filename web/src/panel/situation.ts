@@ -1,0 +1,59 @@
+import type { ConnectionState } from "../live/connection";
+import type { Status } from "../live/messages";
+
+export type Tone = "good" | "busy" | "warning" | "bad";
+
+/** What the page tells about the stream, and what to do. */
+export interface Situation {
+  readonly tone: Tone;
+  /** A few words. */
+  readonly title: string;
+  readonly text: string;
+  /** What the reader of the page can do. Empty if there is nothing to do. */
+  readonly advice: string;
+  /** False if all is well: the stage needs no message. */
+  readonly needsWords: boolean;
+}
+
+/** Puts the state of the connection and of the source into words. */
+export function describe(connection: ConnectionState, refusal: string, status: Status | null, performers: number): Situation {
+  switch (connection) {
+    case "denied":
+      return say("bad", "This page needs its link", refusal, "Open the link that the program shows in its terminal. It contains the token.");
+    case "gone":
+      return say("bad", "The program has ended", "The program neuron-mocap view does not answer. The page connects again by itself.",
+        "Start the program again, with the same port.");
+    case "connecting":
+    case "hidden":
+      return say("busy", "Connecting to the program", "", "");
+    case "open":
+      return status === null ? say("busy", "Connecting to the program", "", "") : ofSource(status, performers);
+  }
+}
+
+function ofSource(status: Status, performers: number): Situation {
+  const text = status.words;
+  const advice = status.advice ?? "";
+  switch (status.state.toLowerCase()) {
+    case "receiving":
+      return performers > 0
+        ? { tone: "good", title: "Receiving", text, advice, needsWords: false }
+        : say("warning", "No performer yet", text, advice || "Open a character in Axis Studio or Axis Neuron, and check that it broadcasts.");
+    case "created":
+    case "connecting":
+      return say("busy", "Connecting to the source", text, advice);
+    case "connected":
+      return say("busy", "Waiting for motion", text, advice || "Turn on broadcasting in Axis Studio or Axis Neuron.");
+    case "silent":
+      return say("warning", "No motion arrives", text, advice || "Check that the suit is connected, and that Axis Studio or Axis Neuron broadcasts.");
+    case "waiting":
+    case "lost":
+      return say("bad", "Connection lost", text, advice || "Check that Axis Studio or Axis Neuron runs. The connection returns by itself.");
+    default:
+      return say("warning", "The source has ended", text, advice || "Start the program again to see it once more.");
+  }
+}
+
+function say(tone: Tone, title: string, text: string, advice: string): Situation {
+  return { tone, title, text, advice, needsWords: true };
+}

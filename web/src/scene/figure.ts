@@ -1,0 +1,55 @@
+import { type Bone, Mesh, type MeshStandardMaterial, type Object3D, type SkinnedMesh } from "three";
+import { GLTFLoader } from "three/addons/loaders/GLTFLoader.js";
+import type { Body } from "./body";
+import type { Pose } from "../live/pose";
+
+/** The skinned figure of a performer. Its nodes have the names of the stream's bones. */
+export class Figure {
+  readonly root: Object3D;
+  private readonly _bones: readonly (Object3D | undefined)[];
+
+  private constructor(root: Object3D, body: Body) {
+    this.root = root;
+    const byName = new Map<string, Object3D>();
+    root.traverse(node => byName.set(node.userData.name as string | undefined ?? node.name, node));
+    this._bones = body.names.map(name => byName.get(name));
+    root.traverse(node => {
+      if (!(node instanceof Mesh))
+        return;
+
+      node.castShadow = true;
+      node.receiveShadow = true;
+      // The bounds are those of the rest pose, and the performer walks away from them.
+      node.frustumCulled = false;
+    });
+  }
+
+  static async load(bytes: ArrayBuffer, body: Body): Promise<Figure> {
+    const { scene } = await new GLTFLoader().parseAsync(bytes, "");
+    return new Figure(scene, body);
+  }
+
+  show(pose: Pose): void {
+    const rotations = pose.rotations;
+    for (let i = 0; i < this._bones.length; i++)
+      this._bones[i]?.quaternion.set(rotations[i * 4], rotations[i * 4 + 1], rotations[i * 4 + 2], rotations[i * 4 + 3]);
+    this._bones[0]?.position.set(pose.hips[0], pose.hips[1], pose.hips[2]);
+  }
+
+  dispose(): void {
+    this.root.removeFromParent();
+    this.root.traverse(node => {
+      const mesh = node as SkinnedMesh;
+      mesh.geometry?.dispose();
+      mesh.skeleton?.dispose();
+      const materials = mesh.material ?? [];
+      for (const material of Array.isArray(materials) ? materials : [materials])
+        (material as MeshStandardMaterial).dispose();
+    });
+  }
+
+  /** The bones in the order of the stream. */
+  get bones(): readonly (Bone | Object3D | undefined)[] {
+    return this._bones;
+  }
+}

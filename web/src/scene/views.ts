@@ -1,0 +1,148 @@
+import { Vector3 } from "three";
+import type { CameraRig } from "./cameraRig";
+import type { Performer } from "./performer";
+import type { Performers } from "./performers";
+import type { Stage } from "./stage";
+
+export type View = "orbit" | "front" | "side" | "top";
+
+const Directions: Record<Exclude<View, "orbit">, readonly [yaw: number, pitch: number]> = {
+  front: [0, 0],
+  side: [Math.PI / 2, 0],
+  top: [0, Math.PI / 2],
+};
+
+// What one performer needs around the hips, in metres.
+const Reach = 1.25;
+
+/** What the camera looks at, and from where. */
+export class Views {
+  private readonly _rig: CameraRig;
+  private readonly _performers: Performers;
+  private readonly _stage: Stage;
+  private readonly _centre = new Vector3();
+  private readonly _before = new Vector3();
+  private _radius = Reach;
+  private _framed = 0;
+  private _following = false;
+  private _listener: () => void = () => {};
+  /** The performer that the camera follows, or null for all. */
+  followed: string | null = null;
+  view: View = "orbit";
+
+  constructor(rig: CameraRig, performers: Performers, stage: Stage) {
+    this._rig = rig;
+    this._performers = performers;
+    this._stage = stage;
+  }
+
+  onChange(listener: () => void): void {
+    this._listener = listener;
+  }
+
+  show(view: View): void {
+    this.view = view;
+    if (view === "orbit")
+      this._rig.lookFrom(0.45, 0.16, false);
+    else
+      this._rig.lookFrom(...Directions[view], true);
+    this._listener();
+  }
+
+  /** A hand has turned the camera: it is no longer exactly in front, beside or above. */
+  turned(): void {
+    if (this.view === "orbit")
+      return;
+
+    this.view = "orbit";
+    this._rig.flat = false;
+    this._listener();
+  }
+
+  /** Looks at a performer from now on, or at all. */
+  follow(key: string | null): void {
+    this.followed = key;
+    this.frame();
+    this._listener();
+  }
+
+  /** Brings the followed performers into the picture. */
+  frame(): void {
+    if (!this._measure())
+      return;
+
+    const aspect = this._stage.camera.aspect;
+    this._rig.target.copy(this._centre);
+    this._rig.distance = Math.max(2.6, this._radius / Math.tan(0.305) / Math.min(1, aspect * 0.9) * 1.04);
+    this._before.copy(this._centre);
+  }
+
+  /** Moves the camera along with the performers. */
+  update(follow: boolean): void {
+    if (!this._measure()) {
+      this._framed = 0;
+      return;
+    }
+
+    const count = this._count();
+    if (count !== this._framed) {
+      const first = this._framed === 0;
+      this._framed = count;
+      this.frame();
+      if (first)
+        this._rig.jump();
+    } else if (follow && this._following) {
+      this._rig.target.add(this._centre).sub(this._before);
+    }
+
+    this._following = follow;
+    this._before.copy(this._centre);
+    this._stage.floor.moveTo(this._centre.x, this._centre.z);
+    this._stage.lights.cover(this._centre.x, this._centre.z, this._radius + 2);
+  }
+
+  private _count(): number {
+    let count = 0;
+    for (const performer of this._performers.all) {
+      if (performer.hasPose)
+        count++;
+    }
+
+    return count;
+  }
+
+  // The centre of the followed performers at the height of the hips, and how far they are from it. False if there are none.
+  private _measure(): boolean {
+    const one = this.followed === null ? undefined : this._performers.get(this.followed);
+    if (one?.hasPose) {
+      this._centre.set(one.body.positions[0], this._heightOf(one), one.body.positions[2]);
+      this._radius = Reach;
+      return true;
+    }
+
+    let count = 0, left = Infinity, right = -Infinity, back = Infinity, front = -Infinity, height = 0;
+    for (const performer of this._performers.all) {
+      if (!performer.hasPose)
+        continue;
+      const x = performer.body.positions[0], z = performer.body.positions[2];
+      left = Math.min(left, x);
+      right = Math.max(right, x);
+      back = Math.min(back, z);
+      front = Math.max(front, z);
+      height += this._heightOf(performer);
+      count++;
+    }
+
+    if (count === 0)
+      return false;
+
+    this._centre.set((left + right) / 2, height / count, (back + front) / 2);
+    this._radius = Reach + Math.hypot(right - left, front - back) / 2;
+    return true;
+  }
+
+  // Steps and jumps must not shake the picture: the height of the standing performer.
+  private _heightOf(performer: Performer): number {
+    return performer.body.offsets[1] * 1.08;
+  }
+}
