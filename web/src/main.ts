@@ -1,33 +1,92 @@
 import { createCharacters } from "./characters/characters";
+import { Connection } from "./live/connection";
 import { LiveFeed } from "./live/feed";
 import { Api } from "./page/api";
-import { Drops } from "./page/drops";
 import { element } from "./page/dom";
+import { Drops } from "./page/drops";
 import { Keys } from "./page/keys";
 import { Loop } from "./page/loop";
 import { Notices } from "./page/notices";
 import type { Page } from "./page/page";
+import { SettingsStore } from "./page/settings";
 import { createSlots } from "./page/slots";
+import { installTestHook } from "./page/testHook";
+import { watchTheme } from "./page/theme";
+import { Panel } from "./panel/panel";
+import { CameraRig } from "./scene/cameraRig";
+import { Labels } from "./scene/labels";
 import { Performers } from "./scene/performers";
+import { connectPointer } from "./scene/pointer";
 import { Stage } from "./scene/stage";
+import { addCameraKeys, Views } from "./scene/views";
 import { createTakes } from "./takes/takes";
 
 const slots = createSlots();
-const list = element("div", { class: "notices", role: "status", "aria-live": "polite" });
-slots.stage.append(list);
-const notices = new Notices(list);
+const notices = new Notices(slots.stage.appendChild(element("div", { class: "notices", role: "status", "aria-live": "polite" })));
+const api = new Api();
+const settings = new SettingsStore();
 const stage = new Stage(slots.stage, () => loop.invalidate());
 const loop = new Loop(() => stage.draw());
+const connection = new Connection(api);
+const performers = new Performers(stage, key => api.bytes(figureAddress(key)));
 const page: Page = {
-  api: new Api(),
+  api,
   loop,
   stage,
-  performers: new Performers(stage),
-  feed: new LiveFeed(),
+  performers,
+  connection,
+  feed: new LiveFeed(api, connection, performers),
+  settings,
   notices,
   keys: new Keys(),
   drops: new Drops(document.body, text => notices.problem(text)),
   slots,
 };
-createTakes(page);
-createCharacters(page);
+
+const rig = new CameraRig(stage.camera);
+const views = new Views(rig, performers, stage);
+const labels = new Labels(slots.stage, performers, stage);
+connectPointer(stage.canvas, rig, () => settings.now.mirror, () => views.turned());
+addCameraKeys(page.keys, rig, views, settings);
+
+loop.add("motion", () => page.feed.update());
+let posed = false;
+loop.add("scene", (_, step) => {
+  posed = performers.update(settings.now, step);
+});
+loop.add("camera", (_, step) => {
+  views.update(settings.now.follow);
+  const moved = rig.update(step);
+  if (posed || moved) {
+    labels.update(settings.now.names, settings.now.mirror);
+    loop.invalidate();
+  }
+});
+
+const takes = createTakes(page);
+const characters = createCharacters(page);
+const panel = new Panel(page, connection, takes, settings, views);
+let isFirstHello = true;
+connection.onMessage(message => {
+  if (message.type !== "hello")
+    return;
+
+  const take = message.mode === "take" ? message.take : undefined;
+  if (isFirstHello && take)
+    void notices.attempt(() => takes.open(take));
+  isFirstHello = false;
+});
+
+watchTheme(settings, dark => stage.paint(dark));
+settings.watch(now => {
+  stage.canvas.classList.toggle("mirrored", now.mirror);
+  performers.refresh();
+  loop.invalidate();
+});
+installTestHook(page, connection, panel, takes, characters);
+connection.connect();
+
+function figureAddress(key: string): string {
+  const name = encodeURIComponent(key);
+  return takes.current === null ? `performers/${name}/figure.glb` : `takes/${encodeURIComponent(takes.current)}/performers/${name}/figure.glb`;
+}

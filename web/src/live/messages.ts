@@ -40,19 +40,23 @@ export interface PerformerRates {
   readonly jitter: number | null;
   /** Frames that never arrived. */
   readonly lost: number;
-  /** Frames that the server left out because they came too fast. */
+  /** Frames that arrived too late, after a newer one. */
   readonly dropped: number;
 }
 
 export interface Status {
-  /** One word for programs: connecting, receiving, silent, lost and others. */
+  /** created, connecting, connected, receiving, silent, waiting or stopped. */
   readonly state: string;
+  /** The state or the problem in a few words. */
   readonly words: string;
-  readonly advice?: string | null;
+  /** What to check, in sentences. Empty if nothing is wrong. */
+  readonly advice: string;
   readonly address: string;
   readonly performers: readonly PerformerRates[];
   readonly bytesPerSecond: number;
   readonly reconnects: number;
+  /** Poses that pages did not get because they, or their network, were too slow. */
+  readonly dropped?: number;
 }
 
 export interface Recording {

@@ -12,6 +12,8 @@ export class Loop {
   private _changed = true;
   /** Main-thread milliseconds of the last pictures, as a ring. */
   readonly frameTimes = new Float32Array(240);
+  /** The part of them for poses and what follows them, without cameras and drawing. */
+  readonly motionTimes = new Float32Array(240);
   pictures = 0;
 
   constructor(draw: () => void) {
@@ -39,13 +41,16 @@ export class Loop {
     this._last = now;
     this._call(this._handlers.motion, now, step);
     this._call(this._handlers.scene, now, step);
+    const moved = performance.now();
     this._call(this._handlers.camera, now, step);
     if (!this._changed)
       return;
 
     this._changed = false;
     this._draw();
-    this.frameTimes[this.pictures++ % this.frameTimes.length] = performance.now() - start;
+    const place = this.pictures++ % this.frameTimes.length;
+    this.motionTimes[place] = moved - start;
+    this.frameTimes[place] = performance.now() - start;
   };
 
   private _call(handlers: readonly FrameHandler[], now: number, step: number): void {

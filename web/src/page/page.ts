@@ -1,3 +1,4 @@
+import type { Connection } from "../live/connection";
 import type { LiveFeed } from "../live/feed";
 import type { Performers } from "../scene/performers";
 import type { Stage } from "../scene/stage";
@@ -6,6 +7,7 @@ import type { Drops } from "./drops";
 import type { Keys } from "./keys";
 import type { Loop } from "./loop";
 import type { Notices } from "./notices";
+import type { SettingsStore } from "./settings";
 import type { Slots } from "./slots";
 
 /** What the parts of the page know of each other. */
@@ -16,8 +18,11 @@ export interface Page {
   readonly stage: Stage;
   /** Who stands on the stage, live or from a take. */
   readonly performers: Performers;
+  /** The messages of the server. */
+  readonly connection: Connection;
   /** The live motion. A take pauses it. */
   readonly feed: LiveFeed;
+  readonly settings: SettingsStore;
   readonly notices: Notices;
   readonly keys: Keys;
   readonly drops: Drops;

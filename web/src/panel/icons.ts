@@ -34,7 +34,8 @@ const Namespace = "http://www.w3.org/2000/svg";
 export function icon(name: IconName): SVGSVGElement {
   const svg = document.createElementNS(Namespace, "svg");
   svg.setAttribute("viewBox", "0 0 20 20");
-  svg.setAttribute("class", `icon ${name}`);
+  svg.setAttribute("class", "icon");
+  svg.setAttribute("data-icon", name);
   svg.setAttribute("aria-hidden", "true");
   const path = document.createElementNS(Namespace, "path");
   path.setAttribute("d", Paths[name]);
@@ -45,6 +46,6 @@ export function icon(name: IconName): SVGSVGElement {
 /** Replaces the icon of a button. */
 export function setIcon(button: Element, name: IconName): void {
   const old = button.querySelector("svg");
-  if (!old?.classList.contains(name))
+  if (old?.dataset.icon !== name)
     old?.replaceWith(icon(name));
 }

@@ -31,26 +31,29 @@ export function describe(connection: ConnectionState, refusal: string, status: S
   }
 }
 
+// The words and the advice of the server are those of neuron-mocap watch. The texts here stand in where it has none.
 function ofSource(status: Status, performers: number): Situation {
-  const text = status.words;
-  const advice = status.advice ?? "";
+  const { words, advice } = status;
+  const tell = (tone: Tone, title: string, fallback: string): Situation => say(tone, words || title, "", advice || fallback);
   switch (status.state.toLowerCase()) {
     case "receiving":
+      if (advice)
+        return tell("warning", "Receiving", "");
       return performers > 0
-        ? { tone: "good", title: "Receiving", text, advice, needsWords: false }
-        : say("warning", "No performer yet", text, advice || "Open a character in Axis Studio or Axis Neuron, and check that it broadcasts.");
+        ? { tone: "good", title: words || "Receiving", text: "", advice: "", needsWords: false }
+        : say("warning", "No performer yet", "The source answers, but sends no motion of a performer.",
+          "Open a character in Axis Studio or Axis Neuron, and check that it broadcasts.");
     case "created":
     case "connecting":
-      return say("busy", "Connecting to the source", text, advice);
+      return tell("busy", "Connecting to the source", "");
     case "connected":
-      return say("busy", "Waiting for motion", text, advice || "Turn on broadcasting in Axis Studio or Axis Neuron.");
+      return tell("busy", "Waiting for motion", "Turn on broadcasting in Axis Studio or Axis Neuron.");
     case "silent":
-      return say("warning", "No motion arrives", text, advice || "Check that the suit is connected, and that Axis Studio or Axis Neuron broadcasts.");
+      return tell("warning", "No motion arrives", "Check that the suit is connected, and that Axis Studio or Axis Neuron broadcasts.");
     case "waiting":
-    case "lost":
-      return say("bad", "Connection lost", text, advice || "Check that Axis Studio or Axis Neuron runs. The connection returns by itself.");
+      return tell("bad", "Connection lost", "Check that Axis Studio or Axis Neuron runs. The connection returns by itself.");
     default:
-      return say("warning", "The source has ended", text, advice || "Start the program again to see it once more.");
+      return tell("warning", "The source has ended", "Start the program again to see it once more.");
   }
 }
 

@@ -1,4 +1,4 @@
-import { type Bone, Mesh, type MeshStandardMaterial, type Object3D, type SkinnedMesh } from "three";
+import { Mesh, type MeshStandardMaterial, type Object3D, type SkinnedMesh, Vector3 } from "three";
 import { GLTFLoader } from "three/addons/loaders/GLTFLoader.js";
 import type { Body } from "./body";
 import type { Pose } from "../live/pose";
@@ -6,6 +6,7 @@ import type { Pose } from "../live/pose";
 /** The skinned figure of a performer. Its nodes have the names of the stream's bones. */
 export class Figure {
   readonly root: Object3D;
+  private readonly _point = new Vector3();
   private readonly _bones: readonly (Object3D | undefined)[];
 
   private constructor(root: Object3D, body: Body) {
@@ -48,8 +49,13 @@ export class Figure {
     });
   }
 
-  /** The bones in the order of the stream. */
-  get bones(): readonly (Bone | Object3D | undefined)[] {
-    return this._bones;
+  /** Positions of the bones' nodes in the world, as the last picture had them. */
+  joints(names: readonly string[]): Record<string, [number, number, number]> {
+    const found: Record<string, [number, number, number]> = {};
+    this._bones.forEach((bone, i) => {
+      if (bone)
+        found[names[i]] = this._point.setFromMatrixPosition(bone.matrixWorld).toArray();
+    });
+    return found;
   }
 }

@@ -43,6 +43,15 @@ export class Performer {
     this.group.visible = false;
   }
 
+  get hasFigure(): boolean {
+    return this._figure !== null;
+  }
+
+  /** Positions of the figure's nodes in the world. */
+  figureJoints(): Record<string, [number, number, number]> {
+    return this._figure?.joints(this.body.names) ?? {};
+  }
+
   /** Replaces the sticks, unless they are chosen. */
   setFigure(figure: Figure): void {
     this._figure?.dispose();

@@ -1,4 +1,6 @@
 import { Vector3 } from "three";
+import type { Keys } from "../page/keys";
+import type { SettingsStore } from "../page/settings";
 import type { CameraRig } from "./cameraRig";
 import type { Performer } from "./performer";
 import type { Performers } from "./performers";
@@ -12,8 +14,12 @@ const Directions: Record<Exclude<View, "orbit">, readonly [yaw: number, pitch: n
   top: [0, Math.PI / 2],
 };
 
-// What one performer needs around the hips, in metres.
-const Reach = 1.25;
+// What one performer needs around the middle, in metres: the name above the head, and hands to the sides.
+const HalfHeight = 1.3;
+const HalfWidth = 0.85;
+
+// Half of the camera's angle, as a slope.
+const Slope = Math.tan(17.5 * Math.PI / 180);
 
 /** What the camera looks at, and from where. */
 export class Views {
@@ -22,7 +28,7 @@ export class Views {
   private readonly _stage: Stage;
   private readonly _centre = new Vector3();
   private readonly _before = new Vector3();
-  private _radius = Reach;
+  private _spread = 0;
   private _framed = 0;
   private _following = false;
   private _listener: () => void = () => {};
@@ -71,9 +77,9 @@ export class Views {
     if (!this._measure())
       return;
 
-    const aspect = this._stage.camera.aspect;
+    const width = (HalfWidth + this._spread) / this._stage.camera.aspect;
     this._rig.target.copy(this._centre);
-    this._rig.distance = Math.max(2.6, this._radius / Math.tan(0.305) / Math.min(1, aspect * 0.9) * 1.04);
+    this._rig.distance = Math.max(HalfHeight, width) / Slope + this._spread;
     this._before.copy(this._centre);
   }
 
@@ -98,7 +104,7 @@ export class Views {
     this._following = follow;
     this._before.copy(this._centre);
     this._stage.floor.moveTo(this._centre.x, this._centre.z);
-    this._stage.lights.cover(this._centre.x, this._centre.z, this._radius + 2);
+    this._stage.lights.cover(this._centre.x, this._centre.z, this._spread + 3);
   }
 
   private _count(): number {
@@ -111,12 +117,12 @@ export class Views {
     return count;
   }
 
-  // The centre of the followed performers at the height of the hips, and how far they are from it. False if there are none.
+  // The centre of the followed performers at the height of the hips, and their distance from it. False if there are none.
   private _measure(): boolean {
     const one = this.followed === null ? undefined : this._performers.get(this.followed);
     if (one?.hasPose) {
       this._centre.set(one.body.positions[0], this._heightOf(one), one.body.positions[2]);
-      this._radius = Reach;
+      this._spread = 0;
       return true;
     }
 
@@ -137,7 +143,7 @@ export class Views {
       return false;
 
     this._centre.set((left + right) / 2, height / count, (back + front) / 2);
-    this._radius = Reach + Math.hypot(right - left, front - back) / 2;
+    this._spread = Math.hypot(right - left, front - back) / 2;
     return true;
   }
 
@@ -145,4 +151,24 @@ export class Views {
   private _heightOf(performer: Performer): number {
     return performer.body.offsets[1] * 1.08;
   }
+}
+
+const KeyTurn = Math.PI / 24;
+
+/** Keys that turn and move the camera. */
+export function addCameraKeys(keys: Keys, rig: CameraRig, views: Views, settings: SettingsStore): void {
+  const turn = (x: number, y: number) => () => {
+    rig.turn((settings.now.mirror ? -x : x) * KeyTurn, y * KeyTurn);
+    views.turned();
+  };
+  const camera = (key: string, label: string, does: string, run: () => void): void => {
+    keys.add({ key, label, does, group: "Camera", run });
+  };
+  camera("ArrowLeft", "←", "Turn left", turn(-1, 0));
+  camera("ArrowRight", "→", "Turn right", turn(1, 0));
+  camera("ArrowUp", "↑", "Higher", turn(0, 1));
+  camera("ArrowDown", "↓", "Lower", turn(0, -1));
+  camera("+", "+", "Closer", () => rig.zoom(1 / 1.15));
+  camera("-", "-", "Farther", () => rig.zoom(1.15));
+  camera("h", "h", "All performers in the picture", () => views.follow(null));
 }

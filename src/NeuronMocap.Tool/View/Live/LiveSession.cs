@@ -22,7 +22,10 @@ internal sealed class LiveSession : IViewPart
     private IDisposable? _subscription;
     private bool _isDisposed;
 
-    /// <summary>Creates a session for a reader that has not started yet. The owner of the reader disposes it before this session.</summary>
+    /// <summary>Creates a session for a reader that has not started yet.</summary>
+    /// <param name="reader">The reader. Its owner starts it, and disposes it after this session.</param>
+    /// <param name="source">The source, for the pages.</param>
+    /// <param name="hub">The pages.</param>
     public LiveSession(NeuronReader reader, string source, ControlHub hub)
     {
         (_reader, _hub) = (reader, hub);
@@ -38,6 +41,9 @@ internal sealed class LiveSession : IViewPart
         hub.ClientsChanged += Reconsider;
         reader.StatusChanged += OnStatus;
     }
+
+    /// <summary>Called once a second while a page listens, on a pool thread.</summary>
+    public event Action? Ticked;
 
     /// <summary>The performers.</summary>
     public LivePerformers Performers { get; }
@@ -56,7 +62,10 @@ internal sealed class LiveSession : IViewPart
     }
 
     /// <summary>Makes the messages after hello for a new page.</summary>
-    public IEnumerable<object> Greet() => [.. Performers.Greet(), _status.Describe()];
+    public IEnumerable<object> Greet() => [.. Performers.Greet(), Describe()];
+
+    /// <summary>Describes the state of the stream.</summary>
+    public StatusMessage Describe() => _status.Describe();
 
     public void Map(IEndpointRouteBuilder endpoints) => endpoints.MapNeuronWebSocket("/motion", _broadcaster);
 
@@ -97,6 +106,7 @@ internal sealed class LiveSession : IViewPart
         Performers.Update();
         _status.Update();
         _hub.Send(_status.Describe());
+        Ticked?.Invoke();
     }
 
     private void OnStatus(ConnectionStatus status)

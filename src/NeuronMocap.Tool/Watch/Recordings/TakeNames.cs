@@ -6,11 +6,12 @@ namespace NeuronMocap.Tool.Watch.Recordings;
 internal static class TakeNames
 {
     /// <summary>Gets names to try in turn until one is free: take.nmrec, take-2.nmrec and so on.</summary>
-    /// <param name="path">The path of --record. Null uses the date and time, in the current folder.</param>
+    /// <param name="path">The path of --record. Null uses the date and time, in the folder.</param>
     /// <param name="now">The time of this computer.</param>
-    public static IEnumerable<string> After(string? path, DateTime now)
+    /// <param name="folder">The folder for a name of date and time; empty for the current one.</param>
+    public static IEnumerable<string> After(string? path, DateTime now, string folder = "")
     {
-        string first = path ?? now.ToString("'neuron-'yyyy-MM-dd-HHmmss'.nmrec'", CultureInfo.InvariantCulture);
+        string first = path ?? Path.Combine(folder, NameOf(now));
         yield return first;
 
         string extension = Path.GetExtension(first);
@@ -18,4 +19,6 @@ internal static class TakeNames
         for (int number = 2; ; number++)
             yield return string.Create(CultureInfo.InvariantCulture, $"{start}-{number}{extension}");
     }
+
+    private static string NameOf(DateTime now) => now.ToString("'neuron-'yyyy-MM-dd-HHmmss'.nmrec'", CultureInfo.InvariantCulture);
 }

@@ -10,7 +10,8 @@ namespace NeuronMocap.Tool.Watch.Recordings;
 /// <summary>The recordings of a run: that of --record, and those that the key of the live view starts. Not thread-safe.</summary>
 /// <param name="reader">The reader to record.</param>
 /// <param name="settings">The settings of --record; null without it.</param>
-internal sealed class TakeRecorder(NeuronReader reader, RecordingSettings? settings)
+/// <param name="folder">The folder of recordings without a name; empty for the current one.</param>
+internal sealed class TakeRecorder(NeuronReader reader, RecordingSettings? settings, string folder = "")
 {
     private readonly List<Take> _takes = [];
 
@@ -56,7 +57,7 @@ internal sealed class TakeRecorder(NeuronReader reader, RecordingSettings? setti
             MaxFileDuration = settings?.Options.MaxFileDuration,
             MaxFiles = settings?.Options.MaxFiles,
         };
-        foreach (string path in TakeNames.After(settings?.Path, now))
+        foreach (string path in TakeNames.After(settings?.Path, now, folder))
         {
             try
             {

@@ -108,7 +108,7 @@ public sealed class TakeServiceTests
         JsonElement error = await client.PostAsync("photo.jpg", [0xFF, 0xD8, 0xFF, 0, 1, 2, 3], HttpStatusCode.BadRequest);
         JsonElement empty = await client.PostAsync("none.bvh", [], HttpStatusCode.BadRequest);
 
-        Assert.DoesNotContain('\n', error.GetProperty("error").GetString());
+        Assert.DoesNotContain('\n', error.GetProperty("error").GetString()!);
         Assert.Contains("none.bvh", empty.GetProperty("error").GetString(), StringComparison.Ordinal);
         Assert.Equal(0, client.ScratchFiles);
     }

@@ -1,0 +1,67 @@
+import { element, setText } from "../page/dom";
+import type { Recording } from "../live/messages";
+import type { Page, Takes } from "../page/page";
+import { setPressed, wordButton } from "./buttons";
+import { downloadButtons } from "./downloads";
+import { bytes, duration } from "./format";
+import { setIcon } from "./icons";
+
+/** The button that records the stream, and what has been recorded. */
+export class Recorder {
+  readonly button: HTMLButtonElement;
+  private readonly _page: Page;
+  private readonly _takes: Takes;
+  private readonly _words: HTMLElement;
+  private readonly _line = element("p", { class: "recording" });
+  private readonly _finished = element("ul", { class: "finished" });
+  private readonly _known = new Set<string>();
+  private _isRecording = false;
+
+  constructor(page: Page, takes: Takes, place: HTMLElement) {
+    this._page = page;
+    this._takes = takes;
+    this.button = wordButton("record", "Record", () => void this.toggle());
+    this.button.classList.add("record-button");
+    this.button.title = "Record the stream (r)";
+    this._words = this.button.querySelector("span")!;
+    this._line.hidden = true;
+    place.append(this._line, this._finished);
+    page.keys.add({ key: "r", does: "Record, and stop", group: "Stream", run: () => void this.toggle() });
+  }
+
+  async toggle(): Promise<void> {
+    if (this.button.disabled)
+      return;
+
+    this.button.disabled = true;
+    const action = this._isRecording ? "stop" : "start";
+    await this._page.notices.attempt(() => this._page.api.change("POST", "record", { action }));
+    this.button.disabled = false;
+  }
+
+  show(recording: Recording): void {
+    this._isRecording = recording.state === "recording";
+    const file = fileName(recording.file);
+    this.button.classList.toggle("on", this._isRecording);
+    setPressed(this.button, this._isRecording);
+    setIcon(this.button, this._isRecording ? "stop" : "record");
+    setText(this._words, this._isRecording ? duration(recording.seconds) : "Record");
+    this.button.setAttribute("aria-label", this._isRecording ? "Stop the recording" : "Record");
+    this._line.hidden = !this._isRecording;
+    setText(this._line, `Recording ${file}, ${bytes(recording.bytes)}`);
+    if (recording.take && !this._known.has(recording.take))
+      this._add(recording.take, file || "Recording", recording);
+  }
+
+  private _add(take: string, name: string, recording: Recording): void {
+    this._known.add(take);
+    const open = wordButton("open", "Show", () => void this._page.notices.attempt(() => this._takes.open(take)));
+    this._finished.prepend(element("li", {},
+      element("span", { class: "name" }, name, element("small", {}, `${duration(recording.seconds)} · ${bytes(recording.bytes)}`)),
+      open, downloadButtons(this._page, take, name)));
+  }
+}
+
+function fileName(path: string | null | undefined): string {
+  return path?.split(/[/\\]/).at(-1) ?? "";
+}
