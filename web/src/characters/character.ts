@@ -15,7 +15,10 @@ export interface CharacterBones {
 /** Metres between a performer and a character beside it. */
 const Beside = 1.1;
 
-/** Hair and clothes swing on for a while after the last pose. */
+/** Springs become unstable in longer steps, in milliseconds. */
+const LongestStep = 50;
+
+/** Hair and clothes swing on for a while after the last pose, in milliseconds. */
 const SwingFor = 2000;
 
 type Point = [number, number, number];
@@ -99,12 +102,11 @@ export class Character {
     // Without this, hair and clothes fly from the rest pose to the first pose.
     if (!this._hasPose) {
       vrm.update(0);
-      vrm.springBoneManager?.setInitState();
       vrm.springBoneManager?.reset();
     }
 
     this._hasPose = true;
-    vrm.update(step / 1000);
+    vrm.update(Math.min(step, LongestStep) / 1000);
     return true;
   }
 
