@@ -17,6 +17,7 @@ import { CameraRig } from "./scene/cameraRig";
 import { Labels } from "./scene/labels";
 import { Performers } from "./scene/performers";
 import { connectPointer } from "./scene/pointer";
+import { Quality } from "./scene/quality";
 import { Stage } from "./scene/stage";
 import { addCameraKeys, Views } from "./scene/views";
 import { createTakes } from "./takes/takes";
@@ -45,6 +46,7 @@ const page: Page = {
 
 const rig = new CameraRig(stage.camera);
 const views = new Views(rig, performers, stage);
+const quality = new Quality(stage);
 const labels = new Labels(slots.stage, performers, stage);
 connectPointer(stage.canvas, rig, () => settings.now.mirror, () => views.turned());
 addCameraKeys(page.keys, rig, views, settings);
@@ -58,6 +60,7 @@ loop.add("camera", (_, step) => {
   views.update(settings.now.follow);
   const moved = rig.update(step);
   if (posed || moved) {
+    quality.judge(step);
     labels.update(settings.now.names, settings.now.mirror);
     loop.invalidate();
   }

@@ -37,6 +37,8 @@ internal sealed class ConvertTool(FileSettings settings, StandardStreams streams
         bool isStream = from is FileKind.Recording or FileKind.Raw;
         if (to == FileKind.Calculation && settings.OutputOrder is not null)
             throw new NeuronException("--output-order: a calculation export holds no angles.");
+        if (to == FileKind.Csv && settings.OutputOrder is not null)
+            throw new NeuronException("--output-order: a table holds quaternions, which have no order.");
 
         switch (to)
         {
@@ -52,12 +54,17 @@ internal sealed class ConvertTool(FileSettings settings, StandardStreams streams
                 CalculationCopy.ToPackets(settings, _range, OpenSink(to, path, take: null), _summary, progress, cancellationToken);
                 AddLossOfRaw(to);
                 break;
+            case FileKind.Glb:
+                new GlbOutput(settings, _range, _summary, progress, cancellationToken).Write(from, path);
+                break;
             case FileKind.Calculation when from == FileKind.Calculation:
                 RejectForCopy("the rows of a calculation export are copied as they are");
                 CalculationCopy.ToFile(settings, _range, path, _summary, progress, cancellationToken);
                 break;
             case FileKind.Calculation when isStream && settings.FrameRate is null
                 && CalculationRows.TryWrite(settings, _range, path, _summary, progress, cancellationToken):
+                break;
+            case FileKind.Csv when isStream && settings.FrameRate is null && StreamTable.TryWrite(settings, _range, path, _summary, progress, cancellationToken):
                 break;
             default:
                 WriteTake(from, to, path, progress, cancellationToken);
@@ -80,6 +87,9 @@ internal sealed class ConvertTool(FileSettings settings, StandardStreams streams
                 using (FileStream file = File.Create(path))
                     CalculationOutput.Write(motion, file, progress, cancellationToken);
                 _summary.AddLoss("the bones' rotations and lengths (an export holds sensors and centres)");
+                break;
+            case FileKind.Csv:
+                TakeTable.Write(settings, take, motion, path, progress, cancellationToken);
                 break;
             default:
                 using (IPacketSink sink = OpenSink(to, path, take with { Order = order }))

@@ -13,14 +13,20 @@ internal static class TakeWarnings
     {
         long count = written.FrameCount!.Value;
         (summary.Frames, summary.FrameRate, summary.Seconds) = (count, written.FrameRate, count / written.FrameRate);
+        AddInput(summary, settings, take);
+        if (take.Motion is RecordingSource stream)
+            AddStream(summary, settings, stream, range, cancellationToken);
+    }
+
+    /// <summary>Adds the defects of the old file, unless it holds a stream.</summary>
+    public static void AddInput(ConversionSummary summary, FileSettings settings, InputTake take)
+    {
         if (take.Bvh is { } bvh)
             summary.AddRepairs(bvh);
         if (take.Calculation is { } rows)
             summary.AddRepairs(rows.Repairs, rows.RepairCount, rows.SkippedRowCount);
         if (take.Motion is CalculationSource skeleton)
             AddSkeleton(summary, settings, take, skeleton);
-        if (take.Motion is RecordingSource stream)
-            AddStream(summary, settings, stream, range, cancellationToken);
     }
 
     private static void AddSkeleton(ConversionSummary summary, FileSettings settings, InputTake take, CalculationSource source)
@@ -55,6 +61,6 @@ internal static class TakeWarnings
 
         StreamWarnings.AddRest(
             summary, settings, frame => frame is MotionFrame { HasSkeleton: true } && frame.AvatarIndex == source.AvatarIndex, cancellationToken);
-        summary.AddLoss("times of arrival, and the avatar's name and number");
+        summary.AddLoss(FileKinds.OfName(settings.Output!) == FileKind.Csv ? "times of arrival" : "times of arrival, and the avatar's name and number");
     }
 }

@@ -13,6 +13,12 @@ internal enum FileKind
 
     /// <summary>The raw bytes of a stream, without times.</summary>
     Raw,
+
+    /// <summary>Figures with their animations, which are only written.</summary>
+    Glb,
+
+    /// <summary>A table of poses, which is only written.</summary>
+    Csv,
 }
 
 /// <summary>Determines the kind of a file: for reading by its contents, for writing by its name.</summary>
@@ -21,7 +27,7 @@ internal static class FileKinds
     private const int LookedAt = 64 * 1024;
 
     /// <summary>The extensions of files that the program reads and writes, in lower case.</summary>
-    public static IReadOnlyList<string> Extensions { get; } = [".bvh", ".nmrec", ".calc", ".bin", ".dat"];
+    public static IReadOnlyList<string> Extensions { get; } = [".bvh", ".nmrec", ".calc", ".bin", ".dat", ".glb", ".csv"];
 
     private static readonly string[] BvhWords = ["HIERARCHY", "MOTION", "CHANNELS"];
 
@@ -35,6 +41,8 @@ internal static class FileKinds
         byte[] start = ReadStart(path);
         if (RecordingReader.IsRecording(start))
             return FileKind.Recording;
+        if (start.AsSpan().StartsWith("glTF"u8))
+            throw new NeuronException("It is a GLB file, which this program writes but does not read.");
         if (IsBvh(start))
             return FileKind.Bvh;
         if (IsText(start) && IsCalculation(path))
@@ -51,6 +59,8 @@ internal static class FileKinds
         ".nmrec" => FileKind.Recording,
         ".calc" => FileKind.Calculation,
         ".bin" or ".dat" => FileKind.Raw,
+        ".glb" => FileKind.Glb,
+        ".csv" => FileKind.Csv,
         _ => null,
     };
 

@@ -1,4 +1,5 @@
 using NeuronMocap.Calculation;
+using NeuronMocap.Csv;
 using NeuronMocap.Recording;
 using NeuronMocap.Tool.Terminal;
 
@@ -26,6 +27,15 @@ internal sealed record FileSettings(string Input, string? Output)
 
     /// <summary>Frame rate of the output in frames per second; null for that of the input.</summary>
     public double? FrameRate { get; init; }
+
+    /// <summary>Angle by which rotations of a GLB file may differ from the frames, in degrees; null for 0.</summary>
+    public double? KeyError { get; init; }
+
+    /// <summary>Axes of a table; null for Y up.</summary>
+    public UpAxis? UpAxis { get; init; }
+
+    /// <summary>Unit of the positions in a table; null for metres.</summary>
+    public LengthUnit? Unit { get; init; }
 
     /// <summary>Frame rate of an input without times, raw bytes or a calculation export. Null for the rate that it states, or 120.</summary>
     public double? InputRate { get; init; }
@@ -55,8 +65,8 @@ internal sealed record FileSettings(string Input, string? Output)
         Progress = new ReadProgress(new FileInfo(Input).Length, progress, cancellationToken),
     };
 
-    // A conversion also has an order to write.
-    private string OrderHint => Output is { } path && FileKinds.OfName(path) is not null ? " --output-order sets the order to write." : string.Empty;
+    // A conversion to angles also has an order to write.
+    private string OrderHint => Output is { } path && FileKinds.OfName(path) is FileKind.Bvh or FileKind.Recording or FileKind.Raw ? " --output-order sets the order to write." : string.Empty;
 
     /// <summary>Determines the kind of the input.</summary>
     /// <exception cref="NeuronException">The input cannot be read, or not with these settings.</exception>

@@ -76,10 +76,12 @@ internal sealed class ViewRun(ViewOptions options, StandardStreams streams)
             live.Ticked += recording.Report;
             IViewPart[] parts =
             [
-                hub, live, recording, takes, characters,
+                hub, live, recording,
                 new DiagnosisAction(options.Source, readerOptions, () => LiveDiagnosis.Of(live.Describe())),
                 new ZeroOutAction(commands, options.Connection.LocalAddress),
                 new FigureFiles(live.Performers.Find, write: null),
+                takes,
+                characters,
             ];
             reader.Start();
             await ServeAsync(parts, cancellationToken);

@@ -11,6 +11,7 @@ public sealed class DependencyTests
         ["Polyfills"] = [],
         ["Skeleton"] = [],
         ["Motion"] = ["Skeleton"],
+        ["Figures"] = ["Skeleton"],
         ["Retargeting"] = ["Skeleton"],
         ["Protocol"] = ["Protocol/Text"],
         ["Protocol/Text"] = ["Protocol"],
@@ -25,7 +26,9 @@ public sealed class DependencyTests
         ["Files"] = [],
         ["Files/Bvh"] = ["Files", "Frames", "Protocol", "Protocol/Text", "Skeleton", "Timing"],
         ["Files/Calculation"] = ["Files", "Frames", "Protocol", "Protocol/Text", "Skeleton"],
+        ["Files/Csv"] = ["Files", "Protocol", "Protocol/Text", "Skeleton"],
         ["Files/Recording"] = ["Files", "Protocol", "Skeleton", "Transport"],
+        ["Files/Gltf"] = ["Figures", "Files", "Motion", "Skeleton"],
         ["Files/Playback"] = ["Delivery", "Files/Recording", "Frames", "Protocol", "Skeleton", "Transport"],
         // A server sends text in BVH format. Connecting, and reasons for failures, are the same as for a stream.
         ["Commands"] = ["Delivery", "Files/Bvh", "Protocol", "Skeleton", "Transport"],

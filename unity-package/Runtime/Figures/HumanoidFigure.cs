@@ -1,5 +1,6 @@
 #nullable enable
 using System;
+using NeuronMocap.Figures;
 using NeuronMocap.Skeleton;
 using UnityEngine;
 using Vector3 = UnityEngine.Vector3;
@@ -106,14 +107,10 @@ namespace NeuronMocap.Unity
 
         private static SkinnedMeshRenderer AddRenderer(GameObject root, Transform[] bones, SkeletonBody body, FigureLook look, OwnedObjects owned)
         {
-            var joints = new Vector3[bones.Length];
-            for (int i = 0; i < joints.Length; i++)
-                joints[i] = bones[i].position;
-
             var surface = new GameObject("Surface");
             surface.transform.SetParent(root.transform, false);
             var renderer = surface.AddComponent<SkinnedMeshRenderer>();
-            renderer.sharedMesh = owned.Keep(FigureMesh.Create(FigureShapes.Of(body), joints));
+            renderer.sharedMesh = owned.Keep(FigureMesh.Create(FigureSurface.Create(body)));
             renderer.bones = bones;
             renderer.rootBone = bones[(int)Bone.Hips];
             renderer.sharedMaterials = new[]

@@ -21,8 +21,8 @@ export function describe(connection: ConnectionState, refusal: string, status: S
     case "denied":
       return say("bad", "This page needs its link", refusal, "Open the link that the program shows in its terminal. It contains the token.");
     case "gone":
-      return say("bad", "The program has ended", "The program neuron-mocap view does not answer. The page connects again by itself.",
-        "Start the program again, with the same port.");
+      return say("bad", "The program does not answer", "The page connects again by itself.",
+        "If neuron-mocap view has ended, start it again with the same port.");
     case "connecting":
     case "hidden":
       return say("busy", "Connecting to the program", "", "");

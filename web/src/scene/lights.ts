@@ -40,6 +40,13 @@ export class Lights {
     camera.updateProjectionMatrix();
   }
 
+  /** Pixels of a side of the shadows' picture. */
+  setDetail(pixels: number): void {
+    this._sun.shadow.mapSize.set(pixels, pixels);
+    this._sun.shadow.map?.dispose();
+    this._sun.shadow.map = null;
+  }
+
   paint(colours: SceneColours): void {
     this._sky.color.setHex(colours.sky);
     this._sky.groundColor.setHex(colours.ground);

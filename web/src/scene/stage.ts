@@ -3,8 +3,6 @@ import { DarkScene, LightScene } from "./colours";
 import { Floor } from "./floor";
 import { Lights } from "./lights";
 
-const MostPixelsPerPoint = 2;
-
 /** The scene with light and floor, and the canvas that shows it. Metres, Y up. */
 export class Stage {
   readonly scene = new Scene();
@@ -14,9 +12,12 @@ export class Stage {
   readonly floor = new Floor();
   readonly lights = new Lights();
   private readonly _background = new Color();
+  private readonly _place: HTMLElement;
   private readonly _changed: () => void;
+  private _mostPixels = 2;
 
   constructor(place: HTMLElement, changed: () => void) {
+    this._place = place;
     this._changed = changed;
     this.renderer.shadowMap.enabled = true;
     this.renderer.shadowMap.type = PCFShadowMap;
@@ -27,12 +28,19 @@ export class Stage {
     this.canvas.setAttribute("role", "img");
     this.canvas.setAttribute("aria-label", "The performers. Drag to turn the view; the arrow keys turn it as well.");
     place.prepend(this.canvas);
-    new ResizeObserver(() => this._fit(place)).observe(place);
+    new ResizeObserver(() => this._fit()).observe(place);
     this.canvas.addEventListener("webglcontextrestored", changed);
   }
 
   draw(): void {
     this.renderer.render(this.scene, this.camera);
+  }
+
+  /** @param pixels The most pixels for a point of the page. @param shadows Pixels of the shadows' side. */
+  setQuality(pixels: number, shadows: number): void {
+    this._mostPixels = pixels;
+    this.lights.setDetail(shadows);
+    this._fit();
   }
 
   /** Shows the colours of the dark or the light theme. */
@@ -44,12 +52,12 @@ export class Stage {
     this._changed();
   }
 
-  private _fit(place: HTMLElement): void {
-    const { clientWidth: width, clientHeight: height } = place;
+  private _fit(): void {
+    const { clientWidth: width, clientHeight: height } = this._place;
     if (width === 0 || height === 0)
       return;
 
-    this.renderer.setPixelRatio(Math.min(MostPixelsPerPoint, devicePixelRatio));
+    this.renderer.setPixelRatio(Math.min(this._mostPixels, devicePixelRatio));
     this.renderer.setSize(width, height);
     this.camera.aspect = width / height;
     this.camera.updateProjectionMatrix();

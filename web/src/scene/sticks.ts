@@ -21,7 +21,7 @@ export class Sticks {
     this._ends = endsOf(body);
     const base = new Color(colour);
     const material = new MeshStandardMaterial({ color: base, roughness: 0.6 });
-    const joint = new MeshStandardMaterial({ color: base.clone().lerp(new Color(1, 1, 1), 0.55), roughness: 0.5 });
+    const joint = new MeshStandardMaterial({ color: base.clone().lerp(new Color(1, 1, 1), 0.3), roughness: 0.5 });
     this._sticks = new InstancedMesh(stickShape, material, body.names.length - 1 + this._ends.length);
     this._joints = new InstancedMesh(jointShape, joint, body.names.length);
     for (const mesh of [this._sticks, this._joints]) {

@@ -1,3 +1,5 @@
+using System.Globalization;
+using System.Text.Json.Serialization;
 using NeuronMocap.Tool.Files;
 using NeuronMocap.Tool.View.Performers;
 
@@ -43,12 +45,12 @@ internal sealed record TakePerformerJson(PerformerJson Performer, long Frames, d
 {
     private const double Microseconds = 1000; // in a millisecond
 
-    [System.Text.Json.Serialization.JsonIgnore]
+    [JsonIgnore]
     public PerformerJson Performer { get; init; } = Performer;
 
     public static TakePerformerJson Of(TakePerformer performer)
     {
-        var known = new Performer(new PerformerKey(0, performer.Index), performer.Name, performer.Index, performer.Body);
+        Performer known = Describe(performer);
         bool isEmpty = performer.Frames == 0;
         return new TakePerformerJson(
             known.ToJson() with { Key = performer.Key },
@@ -59,7 +61,12 @@ internal sealed record TakePerformerJson(PerformerJson Performer, long Frames, d
             Milliseconds(performer.Times.GetGaps()));
     }
 
+    /// <summary>The colour of a performer as 0xRRGGBB.</summary>
+    public static int ColourOf(TakePerformer performer) => int.Parse(Describe(performer).Colour.AsSpan(1), NumberStyles.HexNumber, CultureInfo.InvariantCulture);
+
     /// <summary>Converts stretches to pairs of milliseconds.</summary>
     public static IReadOnlyList<double[]> Milliseconds(IEnumerable<TimeStretch> stretches) =>
         [.. stretches.Select(static stretch => new[] { stretch.From / Microseconds, stretch.To / Microseconds })];
+
+    private static Performer Describe(TakePerformer performer) => new(new PerformerKey(0, performer.Index), performer.Name, performer.Index, performer.Body);
 }

@@ -2,6 +2,7 @@ using System.Buffers.Binary;
 using Microsoft.AspNetCore.Builder;
 using Microsoft.AspNetCore.Http;
 using Microsoft.AspNetCore.Routing;
+using NeuronMocap.Gltf;
 using NeuronMocap.Skeleton;
 using NeuronMocap.Tool.View.Control;
 using NeuronMocap.Tool.View.Web;
@@ -34,6 +35,7 @@ internal sealed class TakeService(ScratchFolder scratch, ControlHub hub, int upl
         endpoints.MapGet("/api/takes/{id}/poses", SendPosesAsync);
         endpoints.MapGet("/api/takes/{id}/contacts", SendContactsAsync);
         endpoints.MapGet("/api/takes/{id}/curves", SendCurveAsync);
+        endpoints.MapGet("/api/takes/{id}/performers/{key}/figure.glb", SendFigureAsync);
         endpoints.MapGet("/api/takes/{id}/download", context => _download.SendAsync(context, Find(context)));
     }
 
@@ -154,6 +156,15 @@ internal sealed class TakeService(ScratchFolder scratch, ControlHub hub, int upl
         }
 
         await ApiJson.WriteAsync(context, new { unit = TakeCurve.Units[(int)quantity], times = curve.Times, min = Known(curve.Lowest), max = Known(curve.Highest) });
+    }
+
+    private Task SendFigureAsync(HttpContext context)
+    {
+        TakePerformer performer = Find(context).Find((string)context.Request.RouteValues["key"]!) ?? throw ApiException.NotFound("The take has no such performer.");
+        byte[] figure = GlbWriter.CreateFigure(performer.Body, performer.Name, TakePerformerJson.ColourOf(performer));
+        context.Response.ContentType = "model/gltf-binary";
+        context.Response.ContentLength = figure.Length;
+        return context.Response.Body.WriteAsync(figure, context.RequestAborted).AsTask();
     }
 
     // JSON has no word for what is not a number.
