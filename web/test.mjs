@@ -15,6 +15,7 @@ try {
   await build({
     absWorkingDir: root,
     entryPoints: tests.map(name => join("tests", name)),
+    outbase: "tests",
     outdir: folder,
     outExtension: { ".js": ".mjs" },
     bundle: true,
@@ -23,7 +24,8 @@ try {
     target: "es2022",
     logLevel: "warning",
   });
-  const run = spawnSync(process.execPath, ["--test", folder], { stdio: "inherit" });
+  const files = tests.map(name => join(folder, name.replace(/\.ts$/, ".mjs")));
+  const run = spawnSync(process.execPath, ["--test", ...files], { stdio: "inherit" });
   process.exitCode = run.status ?? 1;
 } finally {
   await rm(folder, { recursive: true, force: true });

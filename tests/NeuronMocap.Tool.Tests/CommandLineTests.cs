@@ -8,7 +8,7 @@ namespace NeuronMocap.Tool.Tests;
 
 public sealed partial class CommandLineTests
 {
-    public static TheoryData<string> Verbs { get; } = ["watch", "diagnose", "simulate", "relay", "play", "info", "convert", "plot", "command", "completion"];
+    public static TheoryData<string> Verbs { get; } = ["watch", "view", "diagnose", "simulate", "relay", "play", "info", "convert", "plot", "command", "completion"];
 
     [Theory]
     [InlineData("--frames", "watch", "--frames", "0")]

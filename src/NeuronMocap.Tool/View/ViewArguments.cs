@@ -64,8 +64,6 @@ internal sealed class ViewArguments
     {
         if (result.GetResult(_token)?.Tokens is [{ Value: var word }] && !IsToken(word))
             result.AddError($"--token: use letters, digits and -._~ only, at most {LongestToken}, because the word is a part of the link.");
-        if (result.GetResult(_recordFolder)?.Tokens is [{ Value: var folder }] && !Directory.Exists(folder))
-            result.AddError($"--record-folder: there is no folder '{folder}'.");
     }
 
     private static bool IsToken(string word) => word.Length is > 0 and <= LongestToken && word.All(static letter => char.IsAsciiLetterOrDigit(letter) || letter is '-' or '.' or '_' or '~');

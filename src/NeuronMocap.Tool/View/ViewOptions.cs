@@ -34,4 +34,7 @@ internal sealed record ViewOptions(Source Source, ConnectionOptions Connection)
 
     /// <summary>Whether computers other than this one can reach the page.</summary>
     public bool IsPublic => !IPAddress.IsLoopback(Bind);
+
+    /// <summary>Describes a value that this computer does not allow. Null if there is none.</summary>
+    public string? FindFault() => RecordFolder is { } folder && !Directory.Exists(folder) ? $"--record-folder: there is no folder '{folder}'." : null;
 }

@@ -23,9 +23,6 @@ internal sealed class ViewRun(ViewOptions options, StandardStreams streams)
 
     private static readonly string Version = Assembly.GetExecutingAssembly().GetCustomAttribute<AssemblyInformationalVersionAttribute>()!.InformationalVersion;
 
-    /// <summary>Called with the server once it listens. For tests.</summary>
-    public Action<ViewServer>? Listening { get; init; }
-
     public async Task<int> RunAsync(CancellationToken cancellationToken)
     {
         try
@@ -79,7 +76,7 @@ internal sealed class ViewRun(ViewOptions options, StandardStreams streams)
                 hub, live, recording,
                 new DiagnosisAction(options.Source, readerOptions, () => LiveDiagnosis.Of(live.Describe())),
                 new ZeroOutAction(commands, options.Connection.LocalAddress),
-                new FigureFiles(live.Performers.Find, write: null),
+                new FigureFiles(live.Performers.Find),
                 takes,
                 characters,
             ];
@@ -104,7 +101,6 @@ internal sealed class ViewRun(ViewOptions options, StandardStreams streams)
     {
         await using ViewServer server = await ViewServer.StartAsync(options, parts);
         new Announcement(options, streams).Write(server);
-        Listening?.Invoke(server);
         using var durationSource = new CancellationTokenSource(options.Connection.Duration ?? Timeout.InfiniteTimeSpan);
         using var stopSource = CancellationTokenSource.CreateLinkedTokenSource(cancellationToken, durationSource.Token);
         await Task.Delay(Timeout.Infinite, stopSource.Token).ConfigureAwait(ConfigureAwaitOptions.SuppressThrowing);

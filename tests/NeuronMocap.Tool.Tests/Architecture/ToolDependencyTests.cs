@@ -24,8 +24,22 @@ public sealed class ToolDependencyTests
         ["Watch/Recordings"] = ["Arguments", "Files", "Output", "Terminal", "Watch/Export"],
         ["Watch/Live"] = ["Arguments", "Figures", "Output", "Terminal", "Watch/Playback", "Watch/Recordings"],
         ["Watch"] = ["Arguments", "Files", "Output", "Terminal", "Watch/Export", "Watch/Live", "Watch/Playback", "Watch/Recordings"],
-        ["Relay/Destinations"] = ["Arguments", "Files", "Simulate", "Terminal", "Watch/Export", "Watch/Recordings"],
+        ["Listening"] = [],
+        ["Relay/Destinations"] = ["Arguments", "Files", "Listening", "Simulate", "Terminal", "Watch/Export", "Watch/Recordings"],
         ["Relay"] = ["Arguments", "Files", "Output", "Relay/Destinations", "Simulate", "Terminal", "Watch", "Watch/Live", "Watch/Playback", "Watch/Recordings"],
+        ["View/Web"] = [],
+        ["View/Access"] = ["Terminal"],
+        ["View/Performers"] = [],
+        ["View/Control"] = ["View/Performers", "View/Web"],
+        ["View/Figures"] = ["View/Performers", "View/Web"],
+        ["View/Live"] = ["Output", "View/Control", "View/Performers", "View/Web", "Watch/Live"],
+        ["View/Takes"] = ["View/Web"],
+        ["View/Actions"] = ["Arguments", "Output", "Terminal", "View/Control", "View/Live", "View/Takes", "View/Web", "Watch/Recordings"],
+        ["View"] =
+        [
+            "Arguments", "Listening", "Simulate", "Terminal", "View/Access", "View/Actions", "View/Control", "View/Figures", "View/Live", "View/Performers",
+            "View/Takes", "View/Web",
+        ],
         ["Play"] = ["Arguments", "Terminal", "Watch", "Watch/Export", "Watch/Playback"],
     });
 

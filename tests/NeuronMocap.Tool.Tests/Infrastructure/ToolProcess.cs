@@ -11,6 +11,11 @@ internal sealed class ToolProcess : IDisposable
     private readonly Process _process;
 
     public ToolProcess(string program, params string[] args)
+        : this(environment: null, program, args)
+    {
+    }
+
+    public ToolProcess((string Name, string Value)? environment, string program, string[] args)
     {
         var start = new ProcessStartInfo(Environment.GetEnvironmentVariable("DOTNET_HOST_PATH") ?? "dotnet")
         {
@@ -22,6 +27,9 @@ internal sealed class ToolProcess : IDisposable
         string[] words = program.Split(' ');
         foreach (string argument in (string[])[PathOf(words[0]), .. words[1..], .. args])
             start.ArgumentList.Add(argument);
+
+        if (environment is var (name, value))
+            start.Environment[name] = value;
 
         _process = Process.Start(start)!;
     }
@@ -49,6 +57,21 @@ internal sealed class ToolProcess : IDisposable
             ? File.ReadLines("/proc/self/status").FirstOrDefault(static entry => entry.StartsWith("SigIgn:", StringComparison.Ordinal))
             : null;
         return line is not null && (System.Convert.ToUInt64(line["SigIgn:".Length..].Trim(), 16) & 2) != 0;
+    }
+
+    public static void SkipWithoutInterrupt()
+    {
+        if (OperatingSystem.IsWindows())
+            Assert.Skip("There are no signals to send.");
+        if (IgnoresInterrupt())
+            Assert.Skip("The shell that runs the tests in the background has switched SIGINT off, and programs inherit that.");
+    }
+
+    /// <summary>Sends SIGINT, as Ctrl+C does.</summary>
+    public void Interrupt()
+    {
+        using Process kill = Process.Start("kill", ["-INT", $"{Id}"]);
+        kill.WaitForExit();
     }
 
     public async Task<int> WaitForExitAsync()

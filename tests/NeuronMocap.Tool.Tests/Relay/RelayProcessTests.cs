@@ -1,4 +1,3 @@
-using System.Diagnostics;
 using System.Net;
 using System.Net.Sockets;
 using NeuronMocap.Bvh;
@@ -23,7 +22,7 @@ public sealed class RelayProcessTests : IDisposable
     [Fact]
     public async Task The_demo_reaches_all_destinations_until_an_interrupt()
     {
-        SkipWithoutInterrupt();
+        ToolProcess.SkipWithoutInterrupt();
         using var receiver = new Socket(AddressFamily.InterNetwork, SocketType.Dgram, ProtocolType.Udp) { ReceiveBufferSize = 4_000_000 };
         receiver.Bind(new IPEndPoint(IPAddress.Loopback, 0));
         using var relay = new ToolProcess(
@@ -31,7 +30,7 @@ public sealed class RelayProcessTests : IDisposable
         IPEndPoint server = await ReadAddressAsync(relay, Listening);
         using Socket idle = await ConnectAsync(server);
         using Socket client = await ConnectAsync(server);
-        Task<byte[]> reading = ReadToEndAsync(client, enough: 60 * 1480, () => Interrupt(relay));
+        Task<byte[]> reading = ReadToEndAsync(client, enough: 60 * 1480, () => relay.Interrupt());
         byte[] received = await reading.Soon();
         idle.Dispose();
         Task<string> rest = relay.Output.ReadToEndAsync(TestContext.Current.CancellationToken);
@@ -57,12 +56,12 @@ public sealed class RelayProcessTests : IDisposable
     [Fact]
     public async Task A_client_stays_while_the_source_dies_and_comes_back()
     {
-        SkipWithoutInterrupt();
+        ToolProcess.SkipWithoutInterrupt();
         byte[][] packets = [FrameServer.Motion(0, 1, 2), FrameServer.Motion(1, 3, 4)];
         using FrameServer source = FrameServer.Sending(packets);
         using var relay = new ToolProcess("neuron-mocap", "relay", source.Address, "tcp://127.0.0.1:0");
         using Socket client = await ConnectAsync(await ReadAddressAsync(relay, Listening));
-        byte[] received = await ReadToEndAsync(client, enough: 5 * packets[0].Length, () => Interrupt(relay)).Soon();
+        byte[] received = await ReadToEndAsync(client, enough: 5 * packets[0].Length, () => relay.Interrupt()).Soon();
         int start = received.AsSpan().StartsWith(packets[0]) ? 0 : 1;
         for (int offset = 0, index = start; offset < received.Length; offset += packets[0].Length, index++)
             Assert.Equal(packets[index % 2], received[offset..(offset + packets[0].Length)]);
@@ -73,7 +72,7 @@ public sealed class RelayProcessTests : IDisposable
     [Fact]
     public async Task Commands_reach_the_source()
     {
-        SkipWithoutInterrupt();
+        ToolProcess.SkipWithoutInterrupt();
         await using Broadcaster source = Broadcaster.StartDemo(rotationOrder: RotationOrder.ZYX);
         await using var channel = new CommandServer(source, new CommandServerOptions { Port = 0 });
         channel.Start();
@@ -86,22 +85,8 @@ public sealed class RelayProcessTests : IDisposable
             await client.ZeroOutAllAsync(TestContext.Current.CancellationToken).Soon();
         }
 
-        Interrupt(relay);
+        relay.Interrupt();
         Assert.Equal(0, await relay.WaitForExitAsync());
-    }
-
-    private static void SkipWithoutInterrupt()
-    {
-        if (OperatingSystem.IsWindows())
-            Assert.Skip("There are no signals to send.");
-        if (ToolProcess.IgnoresInterrupt())
-            Assert.Skip("The shell that runs the tests in the background has switched SIGINT off, and programs inherit that.");
-    }
-
-    private static void Interrupt(ToolProcess program)
-    {
-        using Process kill = Process.Start("kill", ["-INT", $"{program.Id}"]);
-        kill.WaitForExit();
     }
 
     private static async Task<IPEndPoint> ReadAddressAsync(ToolProcess program, string announcement)

@@ -1,7 +1,7 @@
-/** A number with so many digits that it has three at most: 0.25, 3.1, 42, 1234. */
+/** A number with as many decimals as matter: 0.25, 3.1, 42, 1234. */
 export function short(value: number): string {
   const size = Math.abs(value);
-  return value.toFixed(size < 0.995 && size > 0 ? 2 : size < 9.95 ? 1 : 0);
+  return value.toFixed(size < 0.005 || size >= 9.95 ? 0 : size < 0.995 ? 2 : 1);
 }
 
 /** Milliseconds with their unit, or a dash. */

@@ -72,7 +72,7 @@ export class Panel {
     page.slots.stream.hidden = isFile;
     document.body.classList.toggle("without-stream", isFile);
     this._header.show(this.situation, connection.hello?.source ?? "");
-    this._stream.show(this.situation, this.status, this.hud.delay);
+    this._stream.show(this.situation, this.status, connection.state === "open" ? this.hud.delay : NaN);
     this._performers.show(this.status);
     // A take needs the program as well, but not its source.
     if (page.feed.paused && connection.state === "open")

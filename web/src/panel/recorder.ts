@@ -49,16 +49,22 @@ export class Recorder {
     this.button.setAttribute("aria-label", this._isRecording ? "Stop the recording" : "Record");
     this._line.hidden = !this._isRecording;
     setText(this._line, `Recording ${file}, ${bytes(recording.bytes)}`);
-    if (recording.take && !this._known.has(recording.take))
-      this._add(recording.take, file || "Recording", recording);
+    if (!this._isRecording && file !== "" && !this._known.has(file))
+      this._add(file, recording);
   }
 
-  private _add(take: string, name: string, recording: Recording): void {
-    this._known.add(take);
+  private _add(file: string, recording: Recording): void {
+    this._known.add(file);
+    const figures = element("small", {}, `${duration(recording.seconds)} · ${bytes(recording.bytes)}`);
+    const line = element("li", {}, element("span", { class: "name" }, file, figures));
+    this._finished.prepend(line);
+    this._page.notices.say(`Saved ${file}.`);
+    const take = recording.take;
+    if (!take)
+      return;
+
     const open = wordButton("open", "Show", () => void this._page.notices.attempt(() => this._takes.open(take)));
-    this._finished.prepend(element("li", {},
-      element("span", { class: "name" }, name, element("small", {}, `${duration(recording.seconds)} · ${bytes(recording.bytes)}`)),
-      open, downloadButtons(this._page, take, name)));
+    line.append(open, downloadButtons(this._page, take, file));
   }
 }
 

@@ -2,10 +2,10 @@ import type { Page } from "../page/page";
 import { wordButton } from "./buttons";
 import { ask } from "./dialog";
 
-const Question = "The server moves every avatar to the origin, for everybody who receives this stream. The performers should stand in the pose that "
-  + "the server asks for.";
+const Question = "This resets the direction or the position of all avatars, for everybody who receives this stream. What exactly it resets "
+  + "depends on the server.";
 
-/** The button that moves the avatars of the server to the origin, after a question. */
+/** The button that zeroes out the avatars of the server, after a question. */
 export class ZeroOut {
   readonly button: HTMLButtonElement;
 
@@ -19,13 +19,13 @@ export class ZeroOut {
         return;
 
       if (await page.notices.attempt(async () => (await page.api.change("POST", "zero-out", {})) ?? true))
-        page.notices.say("The avatars are at the origin.");
+        page.notices.say("The server has zeroed out the avatars.");
     }
   }
 
   /** The source of the stream takes commands, or does not. */
   allow(canCommand: boolean): void {
     this.button.disabled = !canCommand;
-    this.button.title = canCommand ? "Move all avatars to the origin (z)" : "This source takes no commands.";
+    this.button.title = canCommand ? "Reset the direction or the position of all avatars (z)" : "This source takes no commands.";
   }
 }

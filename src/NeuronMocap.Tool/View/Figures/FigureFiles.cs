@@ -1,6 +1,8 @@
+using System.Globalization;
 using Microsoft.AspNetCore.Builder;
 using Microsoft.AspNetCore.Http;
 using Microsoft.AspNetCore.Routing;
+using NeuronMocap.Gltf;
 using NeuronMocap.Tool.View.Performers;
 using NeuronMocap.Tool.View.Web;
 
@@ -8,8 +10,7 @@ namespace NeuronMocap.Tool.View.Figures;
 
 /// <summary>GET /api/performers/{key}/figure.glb: the figure with a performer's body.</summary>
 /// <param name="find">Finds a performer.</param>
-/// <param name="write">Writes the figure as GLB; null if there is no writer.</param>
-internal sealed class FigureFiles(Func<PerformerKey, Performer?> find, Func<Performer, byte[]>? write) : IViewPart
+internal sealed class FigureFiles(Func<PerformerKey, Performer?> find) : IViewPart
 {
     public void Map(IEndpointRouteBuilder endpoints) => endpoints.MapGet("/api/performers/{key}/figure.glb", HandleAsync);
 
@@ -17,16 +18,14 @@ internal sealed class FigureFiles(Func<PerformerKey, Performer?> find, Func<Perf
 
     private Task HandleAsync(HttpContext context)
     {
-        if (write is null || !PerformerKey.TryParse(context.Request.RouteValues["key"] as string, out PerformerKey key) || find(key) is not { } performer)
-            throw ApiException.NotFound("There is no figure for this performer.");
+        if (!PerformerKey.TryParse(context.Request.RouteValues["key"] as string, out PerformerKey key) || find(key) is not { } performer)
+            throw ApiException.NotFound("There is no such performer.");
 
-        return SendAsync(context, write(performer));
-    }
-
-    private static Task SendAsync(HttpContext context, byte[] glb)
-    {
+        byte[] glb = GlbWriter.CreateFigure(performer.Body, performer.Name, ColourOf(performer));
         context.Response.ContentType = "model/gltf-binary";
         context.Response.ContentLength = glb.Length;
         return context.Response.Body.WriteAsync(glb, context.RequestAborted).AsTask();
     }
+
+    private static int ColourOf(Performer performer) => int.Parse(performer.Colour.AsSpan(1), NumberStyles.HexNumber, CultureInfo.InvariantCulture);
 }

@@ -54,6 +54,9 @@ internal sealed class LiveSession : IViewPart
     /// <summary>The poses for /motion.</summary>
     public PoseMessages Poses { get; }
 
+    /// <summary>Number of pages that show motion.</summary>
+    public int MotionClients => _broadcaster.GetStatistics().Clients;
+
     /// <summary>The performers for the first message to a page.</summary>
     public IReadOnlyList<PerformerJson> Introduce()
     {

@@ -16,6 +16,7 @@ internal sealed class PerformerWriter
     private readonly ContactFinder _contacts;
     private readonly FrameTiming _timing = new();
     private readonly FrameMeter _meter = new(BoneHierarchy.BoneCount);
+    private readonly ArrivalQueue _arrivals;
     private readonly byte[] _pose = new byte[CompactPose.MaxSize];
     private readonly Vector3[] _places = new Vector3[BoneHierarchy.BoneCount];
     private readonly float[] _angles = new float[BoneHierarchy.BoneCount];
@@ -29,6 +30,7 @@ internal sealed class PerformerWriter
     {
         _name = name;
         _times = new TakeTimes();
+        _arrivals = new ArrivalQueue((frame, time) => Write(time, frame.Index, frame.Pose, frame.Measured));
         _contacts = new ContactFinder();
         int nameSize = SizeOf(name);
         var poses = new RecordFile(folder, CompactPose.MaxSize - ProtocolConstants.AvatarNameSize + nameSize);
@@ -54,16 +56,53 @@ internal sealed class PerformerWriter
     public void Add(TimeSpan time, uint? frameIndex, int connection, ReadOnlySpan<BoneTransform> local, FootContacts? measured)
     {
         bool isRepeated = frameIndex is not null && (frameIndex, connection) == _last;
-        if (isRepeated || _timing.Add(frameIndex, time, connection) == 0)
+        int distance = isRepeated ? 0 : _timing.Add(frameIndex, time, connection);
+        if (distance == 0)
         {
             Late++;
             return;
         }
 
-        _last = (frameIndex, connection);
+        long microseconds = time.Ticks / TimeSpan.TicksPerMicrosecond;
+        if (frameIndex is { } index)
+            _arrivals.Add(microseconds, index, connection == _last.Connection ? distance : 0, local, measured, _timing.MeasuredRate);
+        else
+            Write(microseconds, null, local, measured);
 
-        // Several frames can arrive in one piece. Later code relies on times that grow.
-        long microseconds = Math.Max(time.Ticks / TimeSpan.TicksPerMicrosecond, _lastTime + 1);
+        _last = (frameIndex, connection);
+    }
+
+    /// <summary>Makes what was added readable.</summary>
+    public void Flush()
+    {
+        Performer.Poses.Flush();
+        Performer.Summaries.Flush();
+        Performer.Rate = _timing.Rate;
+    }
+
+    /// <summary>Completes the performer.</summary>
+    public void Finish()
+    {
+        _arrivals.Finish(_timing.MeasuredRate);
+        TakeMeasured(atEnd: true);
+        if (_measured % TakeTimes.BlockSize != 0)
+            AppendSummary();
+
+        _contacts.Finish();
+        Flush();
+    }
+
+    /// <summary>The angle of a rotation in degrees, 0 to 180.</summary>
+    public static float AngleOf(Quaternion rotation)
+    {
+        double vector = Math.Sqrt((rotation.X * rotation.X) + (rotation.Y * rotation.Y) + (rotation.Z * rotation.Z));
+        return (float)(2 * Math.Atan2(vector, Math.Abs(rotation.W)) * DegreesPerRadian);
+    }
+
+    private void Write(long time, uint? frameIndex, ReadOnlySpan<BoneTransform> local, FootContacts? measured)
+    {
+        // Later code relies on times that grow.
+        long microseconds = Math.Max(time, _lastTime + 1);
         var header = new CompactPoseHeader
         {
             AvatarIndex = Performer.Index,
@@ -82,32 +121,6 @@ internal sealed class PerformerWriter
         bool isAfterGap = _times.Add(microseconds);
         Performer.Poses.Append(_pose);
         Measure(microseconds, local, isAfterGap, measured);
-    }
-
-    /// <summary>Makes what was added readable.</summary>
-    public void Flush()
-    {
-        Performer.Poses.Flush();
-        Performer.Summaries.Flush();
-        Performer.Rate = _timing.Rate;
-    }
-
-    /// <summary>Completes the performer.</summary>
-    public void Finish()
-    {
-        TakeMeasured(atEnd: true);
-        if (_measured % TakeTimes.BlockSize != 0)
-            AppendSummary();
-
-        _contacts.Finish();
-        Flush();
-    }
-
-    /// <summary>The angle of a rotation in degrees, 0 to 180.</summary>
-    public static float AngleOf(Quaternion rotation)
-    {
-        double vector = Math.Sqrt((rotation.X * rotation.X) + (rotation.Y * rotation.Y) + (rotation.Z * rotation.Z));
-        return (float)(2 * Math.Atan2(vector, Math.Abs(rotation.W)) * DegreesPerRadian);
     }
 
     private static int SizeOf(AvatarName name)

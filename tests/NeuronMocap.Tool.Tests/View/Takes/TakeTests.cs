@@ -72,6 +72,21 @@ public sealed class TakeTests
     }
 
     [Fact]
+    public async Task Frames_that_arrive_in_a_burst_have_the_times_at_which_they_were_sent()
+    {
+        using var takes = new OpenTakes();
+        string path = takes.Record(Enumerable.Range(0, 600).Select(static i => (i is < 200 or > 300 ? i * 20.0 : 6005, 0, i)));
+
+        Take take = await takes.OpenAsync(path);
+
+        TakePerformer performer = take.Performers[0];
+        Assert.Empty(performer.Times.GetGaps());
+        Assert.Equal(600, performer.Frames);
+        for (int frame = 0; frame < 600; frame++)
+            Assert.Equal(frame * 0.02, SecondsOf(performer, frame), 0.006);
+    }
+
+    [Fact]
     public async Task Frames_that_come_twice_or_late_are_told_and_left_out()
     {
         using var takes = new OpenTakes();

@@ -1,0 +1,40 @@
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import type { Status } from "../../src/live/messages";
+import { describe } from "../../src/panel/situation";
+
+function status(state: string, words = "", advice = ""): Status {
+  return { state, words, advice, address: "192.168.1.20:7001", performers: [], bytesPerSecond: 0, reconnects: 0 };
+}
+
+test("nothing is said while a performer moves", () => {
+  const situation = describe("open", "", status("receiving", "Receiving"), 1);
+  assert.equal(situation.needsWords, false);
+  assert.equal(situation.tone, "good");
+});
+
+test("every other state says something, and what to do", () => {
+  for (const state of ["connected", "silent", "waiting", "stopped"]) {
+    const situation = describe("open", "", status(state), 0);
+    assert.ok(situation.needsWords && situation.title !== "" && situation.advice !== "", state);
+  }
+
+  for (const connection of ["gone", "denied"] as const)
+    assert.ok(describe(connection, "The link is old.", null, 2).advice !== "", connection);
+});
+
+test("the words and the advice of the server come first", () => {
+  const situation = describe("open", "", status("silent", "Connected, but silent", "Check the suit."), 1);
+  assert.equal(situation.title, "Connected, but silent");
+  assert.equal(situation.advice, "Check the suit.");
+});
+
+test("a stream without a performer is no empty page", () => {
+  assert.equal(describe("open", "", status("receiving", "Receiving"), 0).title, "No performer yet");
+});
+
+test("a problem is told although frames arrive", () => {
+  const situation = describe("open", "", status("receiving", "Values without a skeleton", "Turn on displacement."), 0);
+  assert.equal(situation.tone, "warning");
+  assert.equal(situation.advice, "Turn on displacement.");
+});
