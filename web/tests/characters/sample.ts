@@ -62,8 +62,9 @@ interface Joint {
 /** Makes the parts of a file. */
 export function makeSample(options: SampleOptions): SampleFile {
   const joints = makeJoints(options);
+  const upright = makeJoints({ ...options, lowered: 0 });
   const bytes = new Bytes();
-  const mesh = addMesh(joints, options, bytes);
+  const mesh = addMesh(joints, upright, options, bytes);
   const top = joints.length;
   const nodes = [
     ...joints.map((joint, i) => ({
@@ -135,14 +136,15 @@ function makeJoints({ vrm, lowered = 0, twisted, without = [] }: SampleOptions):
   }));
 }
 
-// Turns an arm about its joint.
+// Turns a point of an arm about its joint.
 function lower(name: string, place: Vector3, degrees: number): Vector3 {
-  const side = /^(left|right)(LowerArm|Hand|Index|Little)/.exec(name)?.[1];
-  if (!side || degrees === 0)
-    return place;
+  const joint = new Vector3(name.startsWith("left") ? 0.16 : -0.16, 1.4, 0);
+  return turnWithArm(name, place.sub(joint), degrees).add(joint);
+}
 
-  const joint = new Vector3(side === "left" ? 0.16 : -0.16, 1.4, 0);
-  return place.sub(joint).applyAxisAngle(new Vector3(0, 0, side === "left" ? -1 : 1), degrees * Math.PI / 180).add(joint);
+function turnWithArm(name: string, way: Vector3, degrees: number): Vector3 {
+  const side = /^(left|right)(UpperArm|LowerArm|Hand|Index|Little)/.exec(name)?.[1];
+  return side ? way.applyAxisAngle(new Vector3(0, 0, side === "left" ? -1 : 1), degrees * Math.PI / 180) : way;
 }
 
 function localOf(joints: readonly Joint[], index: number, options: SampleOptions): { translation: number[]; rotation: number[] } {
@@ -156,12 +158,12 @@ function localOf(joints: readonly Joint[], index: number, options: SampleOptions
   return { translation: way.toArray(), rotation: rotation.toArray() };
 }
 
-// A box from each joint to its first child, bound to the joint.
-function addMesh(joints: readonly Joint[], { scale = 1 }: SampleOptions, bytes: Bytes) {
+// A box from each joint to its first child, bound to the joint. The boxes of lowered arms are lowered with them.
+function addMesh(joints: readonly Joint[], upright: readonly Joint[], { scale = 1, lowered = 0 }: SampleOptions, bytes: Bytes) {
   const [positions, normals, uvs, bones, weights, indices]: number[][] = [[], [], [], [], [], []];
-  joints.forEach((joint, index) => {
-    const child = joints.find(each => each.parent === index);
-    const end = child?.place ?? joint.place.clone().add(joint.name === "head" ? new Vector3(0, 0.2, 0) : joint.place.clone().sub(joints[Math.max(0, joint.parent)].place).multiplyScalar(0.6));
+  upright.forEach((joint, index) => {
+    const child = upright.find(each => each.parent === index);
+    const end = child?.place ?? joint.place.clone().add(joint.name === "head" ? new Vector3(0, 0.2, 0) : joint.place.clone().sub(upright[Math.max(0, joint.parent)].place).multiplyScalar(0.6));
     const size = /Hand|Index|Little|tail|Toes/.test(joint.name) ? 0.025 : 0.05;
     const [low, high] = [joint.place.clone().min(end).subScalar(size), joint.place.clone().max(end).addScalar(size)];
     low.y = Math.max(0, low.y);
@@ -173,8 +175,10 @@ function addMesh(joints: readonly Joint[], { scale = 1 }: SampleOptions, bytes: 
           corner[axis] = sign;
           corner[(axis + 1) % 3] = (u * 2 - 1) * sign;
           corner[(axis + 2) % 3] = v * 2 - 1;
-          positions.push(...[0, 1, 2].map(i => (corner[i] < 0 ? low : high).getComponent(i) / scale));
-          normals.push(...[0, 1, 2].map(i => i === axis ? sign : 0));
+          const place = new Vector3(...[0, 1, 2].map(i => (corner[i] < 0 ? low : high).getComponent(i)));
+          const normal = new Vector3().setComponent(axis, sign);
+          positions.push(...lower(joint.name, place, lowered).divideScalar(scale).toArray());
+          normals.push(...turnWithArm(joint.name, normal, lowered).toArray());
           uvs.push(u, v);
           bones.push(index, 0, 0, 0);
           weights.push(1, 0, 0, 0);
