@@ -6,6 +6,7 @@ using NeuronMocap.Tool.Simulate;
 using NeuronMocap.Tool.Terminal;
 using NeuronMocap.Tool.View.Access;
 using NeuronMocap.Tool.View.Actions;
+using NeuronMocap.Tool.View.Characters;
 using NeuronMocap.Tool.View.Control;
 using NeuronMocap.Tool.View.Figures;
 using NeuronMocap.Tool.View.Live;
@@ -48,8 +49,9 @@ internal sealed class ViewRun(ViewOptions options, StandardStreams streams)
         string? take = null;
         await using var hub = new ControlHub(() => [Hello("take", take, canCommand: false, performers: [])]);
         await using ITakeLibrary takes = CreateTakes(scratch, hub);
+        await using var characters = new CharacterLibrary(live: null, takes);
         take = await takes.OpenAsync(file, cancellationToken);
-        await ServeAsync([hub, takes], cancellationToken);
+        await ServeAsync([hub, takes, characters], cancellationToken);
         return ToolCommand.Done;
     }
 
@@ -65,6 +67,7 @@ internal sealed class ViewRun(ViewOptions options, StandardStreams streams)
         await using var hub = new ControlHub(() => [Hello("live", take: null, commands is not null, live!.Introduce()), .. live.Greet(), recording!.Describe()]);
         await using ITakeLibrary takes = CreateTakes(scratch, hub);
         await using (live = new LiveSession(reader, options.Source.ToString(), hub))
+        await using (var characters = new CharacterLibrary(live, takes))
         await using (recording = new RecordingControl(reader, options.RecordFolder ?? string.Empty, hub, takes))
         {
             live.Ticked += recording.Report;
@@ -75,6 +78,7 @@ internal sealed class ViewRun(ViewOptions options, StandardStreams streams)
                 new ZeroOutAction(commands, options.Connection.LocalAddress),
                 new FigureFiles(live.Performers.Find),
                 takes,
+                characters,
             ];
             reader.Start();
             await ServeAsync(parts, cancellationToken);

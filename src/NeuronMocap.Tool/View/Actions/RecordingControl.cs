@@ -92,7 +92,7 @@ internal sealed class RecordingControl : IViewPart
 
     private async Task<RecordingMessage> StopAsync(CancellationToken cancellationToken)
     {
-        Take take;
+        Watch.Recordings.Take take;
         Task closed;
         lock (_lock)
         {
