@@ -1,5 +1,5 @@
-// Writes the page to a folder: index.html, app.js, app.css and licenses.txt. Usage: node build.mjs FOLDER [--watch]
-import { context, build } from "esbuild";
+// Writes the page to a folder: index.html, app.js, app.css and licenses.txt. Usage: node build.mjs FOLDER
+import { build } from "esbuild";
 import { copyFile, mkdir, readFile, readdir, writeFile } from "node:fs/promises";
 import { dirname, join, resolve } from "node:path";
 import { fileURLToPath } from "node:url";
@@ -7,13 +7,13 @@ import { fileURLToPath } from "node:url";
 const root = dirname(fileURLToPath(import.meta.url));
 const folder = process.argv[2];
 if (!folder) {
-  console.error("Usage: node build.mjs FOLDER [--watch]");
+  console.error("Usage: node build.mjs FOLDER");
   process.exit(2);
 }
 
 const options = {
   absWorkingDir: root,
-  entryPoints: { app: "src/main.ts" },
+  entryPoints: ["src/main.ts", "src/app.css"].map(file => ({ in: file, out: "app" })),
   outdir: resolve(folder),
   bundle: true,
   format: "esm",
@@ -26,13 +26,8 @@ const options = {
 
 await mkdir(folder, { recursive: true });
 await copyFile(join(root, "index.html"), join(folder, "index.html"));
-await build({ ...options, entryPoints: { app: "src/app.css" } });
-if (process.argv.includes("--watch")) {
-  await (await context({ ...options, minify: false, sourcemap: "inline" })).watch();
-} else {
-  const { metafile } = await build(options);
-  await writeFile(join(folder, "licenses.txt"), await licences(Object.keys(metafile.inputs)));
-}
+const { metafile } = await build(options);
+await writeFile(join(folder, "licenses.txt"), await licences(Object.keys(metafile.inputs)));
 
 // The licences of the packages from which code is in the bundle. A package without a licence file ends the build.
 async function licences(inputs) {

@@ -6,12 +6,12 @@ export class Api {
 
   constructor() {
     const address = new URL(location.href);
-    this._token = address.searchParams.get("token") ?? sessionStorage.getItem(TokenName);
-    if (this._token === null)
+    const given = address.searchParams.get("token");
+    this._token = given ?? readToken();
+    if (given === null || !keepToken(given))
       return;
 
     // Out of the address, so that no picture of the screen shows it. A reload of the tab finds it again.
-    sessionStorage.setItem(TokenName, this._token);
     address.searchParams.delete("token");
     history.replaceState(null, "", address);
   }
@@ -81,6 +81,24 @@ export class ApiError extends Error {
   constructor(status: number, message: string) {
     super(message);
     this.status = status;
+  }
+}
+
+// A browser may refuse to keep anything.
+function readToken(): string | null {
+  try {
+    return sessionStorage.getItem(TokenName);
+  } catch {
+    return null;
+  }
+}
+
+function keepToken(token: string): boolean {
+  try {
+    sessionStorage.setItem(TokenName, token);
+    return true;
+  } catch {
+    return false;
   }
 }
 

@@ -9,6 +9,7 @@ const Rows = {
   jitter: "Jitter",
   data: "Data",
   lost: "Lost frames",
+  dropped: "Late frames",
   reconnects: "Reconnections",
 } as const;
 
@@ -49,6 +50,7 @@ export class StreamSection {
     this._set("jitter", milliseconds(jitters.length === 0 ? null : Math.max(...jitters)));
     this._set("data", status ? `${bytes(status.bytesPerSecond)}/s` : "–");
     this._set("lost", status ? count(performers.reduce((sum, each) => sum + each.lost, 0)) : "–");
+    this._set("dropped", status ? count(performers.reduce((sum, each) => sum + each.dropped, 0)) : "–");
     this._set("reconnects", status ? count(status.reconnects) : "–");
   }
 

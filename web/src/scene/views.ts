@@ -79,7 +79,7 @@ export class Views {
 
     const width = (HalfWidth + this._spread) / this._stage.camera.aspect;
     this._rig.target.copy(this._centre);
-    this._rig.distance = Math.max(HalfHeight, width) / Slope + this._spread;
+    this._rig.distance = Math.max(HalfHeight, width) / Slope + 0.4 * this._spread;
     this._before.copy(this._centre);
   }
 
