@@ -55,7 +55,8 @@ public sealed class ViewProcessTests : IDisposable
         Assert.SkipUnless(OperatingSystem.IsLinux(), "The program of other systems cannot be replaced.");
         ToolProcess.SkipWithoutInterrupt();
         string browser = _folder.Write("xdg-open", $"#!/bin/sh\necho \"$1\" > '{_folder["opened"]}.new' && /bin/mv '{_folder["opened"]}.new' '{_folder["opened"]}'\n");
-        File.SetUnixFileMode(browser, UnixFileMode.UserRead | UnixFileMode.UserExecute);
+        if (OperatingSystem.IsLinux())
+            File.SetUnixFileMode(browser, UnixFileMode.UserRead | UnixFileMode.UserExecute);
         using var view = new ToolProcess(("PATH", _folder[string.Empty]), "neuron-mocap", ["view", "demo", "--port", "0", "--open", "--token", "word"]);
         Uri link = await ReadLinkAsync(view);
         await Limits.UntilAsync(() => File.Exists(_folder["opened"]));
