@@ -22,7 +22,7 @@ internal sealed class Announcement(ViewOptions options, StandardStreams streams)
         // Scripts wait for this line.
         string own = PageLinks.OfThisComputer(server.LocalEndPoint, server.Token);
         _page.WriteLine($"Viewing {options.Source} on {own}");
-        WriteOthers(PageLinks.OfOthers(server.LocalEndPoint, server.Token));
+        WriteOthers([.. options.AllowedOrigins.Select(origin => PageLinks.OfProxy(origin, server.Token)), .. PageLinks.OfOthers(server.LocalEndPoint, server.Token)]);
         _page.WriteLine("Ctrl+C ends the program.");
         if (options.Open)
             BrowserStart.Open(own, streams);

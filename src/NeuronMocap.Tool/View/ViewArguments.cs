@@ -1,6 +1,7 @@
 using System.CommandLine;
 using System.CommandLine.Parsing;
 using System.Net;
+using NeuronMocap.AspNetCore;
 using NeuronMocap.Tool.Arguments;
 
 namespace NeuronMocap.Tool.View;
@@ -33,6 +34,14 @@ internal sealed class ViewArguments
         Arity = ArgumentArity.ExactlyOne,
     };
 
+    private readonly Option<string[]> _allowOrigin = new("--allow-origin")
+    {
+        HelpName = "ORIGIN",
+        Description = "For a proxy on this computer that adds TLS: the address under which it shows the page, such as https://show.example; may be repeated. The link "
+            + "then has a token.",
+        Arity = ArgumentArity.OneOrMore,
+    };
+
     private readonly Option<string?> _recordFolder = new("--record-folder")
     {
         HelpName = "FOLDER",
@@ -48,7 +57,7 @@ internal sealed class ViewArguments
         Arity = ArgumentArity.ExactlyOne,
     };
 
-    public Option[] All => [_port, _open, _bind, _token, _recordFolder, _upload];
+    public Option[] All => [_port, _open, _bind, _token, _allowOrigin, _recordFolder, _upload];
 
     public ViewOptions Read(ParseResult result, ViewOptions options) => options with
     {
@@ -56,6 +65,7 @@ internal sealed class ViewArguments
         Open = result.GetValue(_open),
         Bind = result.GetValue(_bind) ?? IPAddress.Loopback,
         Token = result.GetValue(_token),
+        AllowedOrigins = result.GetValue(_allowOrigin) ?? [],
         RecordFolder = result.GetValue(_recordFolder),
         UploadMegabytes = result.GetValue(_upload) ?? ViewOptions.DefaultUploadMegabytes,
     };
@@ -64,6 +74,11 @@ internal sealed class ViewArguments
     {
         if (result.GetResult(_token)?.Tokens is [{ Value: var word }] && !IsToken(word))
             result.AddError($"--token: use letters, digits and -._~ only, at most {LongestToken}, because the word is a part of the link.");
+        foreach (Token origin in result.GetResult(_allowOrigin)?.Tokens ?? [])
+        {
+            if (!AllowedOrigin.IsValid(origin.Value) || !origin.Value.StartsWith("http", StringComparison.OrdinalIgnoreCase))
+                result.AddError($"--allow-origin: '{origin.Value}' is not an origin. Use a scheme and a host, such as https://show.example.");
+        }
     }
 
     private static bool IsToken(string word) => word.Length is > 0 and <= LongestToken && word.All(static letter => char.IsAsciiLetterOrDigit(letter) || letter is '-' or '.' or '_' or '~');

@@ -32,6 +32,12 @@ internal sealed record ViewOptions(Source Source, ConnectionOptions Connection)
     /// <summary>The largest file that a browser may send, in megabytes.</summary>
     public int UploadMegabytes { get; init; } = DefaultUploadMegabytes;
 
+    /// <summary>The origins under which a proxy shows the page.</summary>
+    public IReadOnlyList<string> AllowedOrigins { get; init; } = [];
+
+    /// <summary>Whether a token is made if none is given.</summary>
+    public bool NeedsToken => IsPublic || AllowedOrigins.Count > 0;
+
     /// <summary>Whether computers other than this one can reach the page.</summary>
     public bool IsPublic => !IPAddress.IsLoopback(Bind);
 

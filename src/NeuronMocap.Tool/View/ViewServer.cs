@@ -29,8 +29,8 @@ internal sealed class ViewServer : IAsyncDisposable
     /// <exception cref="BroadcasterException">The address or the port is not available.</exception>
     public static async Task<ViewServer> StartAsync(ViewOptions options, IReadOnlyList<IViewPart> parts)
     {
-        string? token = options.Token ?? (options.IsPublic ? System.Convert.ToHexStringLower(RandomNumberGenerator.GetBytes(TokenBytes)) : null);
-        var policy = new AccessPolicy(token, options.IsPublic);
+        string? token = options.Token ?? (options.NeedsToken ? System.Convert.ToHexStringLower(RandomNumberGenerator.GetBytes(TokenBytes)) : null);
+        var policy = new AccessPolicy(token, options.IsPublic, options.AllowedOrigins);
         for (int port = options.Port ?? ViewOptions.DefaultPort; ; port++)
         {
             WebListener listener = WebListener.Create(new IPEndPoint(options.Bind, port), static limits => limits.MaxRequestBodySize = RequestGuard.UsualBody);

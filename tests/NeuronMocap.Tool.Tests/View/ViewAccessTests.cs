@@ -85,6 +85,19 @@ public sealed class ViewAccessTests
     }
 
     [Fact]
+    public async Task A_proxy_shows_the_page_under_its_own_address()
+    {
+        await using RunningView view = await RunningView.StartAsync("demo", "--allow-origin", "https://show.example");
+        Assert.Contains($"From other computers and phones: https://show.example/{view.Link.Query}\n", view.Output, StringComparison.Ordinal);
+        Assert.Matches("^\\?token=[0-9a-f]{32}$", view.Link.Query);
+        using var request = new HttpRequestMessage(HttpMethod.Get, "/api/hello");
+        request.Headers.Host = "show.example";
+        request.Headers.Add("Origin", "https://show.example");
+        using HttpResponseMessage answer = await view.Client.SendAsync(request, TestContext.Current.CancellationToken).Soon();
+        Assert.Equal(HttpStatusCode.OK, answer.StatusCode);
+    }
+
+    [Fact]
     public async Task The_page_itself_is_not_served_to_a_foreign_name()
     {
         await using RunningView view = await RunningView.StartAsync("demo");

@@ -94,6 +94,8 @@ public sealed class ViewProcessTests : IDisposable
     [InlineData("--port: '70000' is not a number from 0 to 65535.", "view", "--port", "70000")]
     [InlineData("--bind: 'everywhere' is not an IP address.", "view", "--bind", "everywhere")]
     [InlineData("--record-folder: there is no folder 'missing'.", "view", "--record-folder", "missing")]
+    [InlineData("--allow-origin: '*' is not an origin.", "view", "--allow-origin", "*")]
+    [InlineData("--allow-origin: 'show.example' is not an origin.", "view", "--allow-origin", "show.example")]
     [InlineData("--upload-limit", "view", "--upload-limit", "0")]
     [InlineData("--command-port needs a source HOST or tcp://HOST:PORT", "view", "demo", "--command-port", "8013")]
     public async Task A_wrong_option_is_one_line(string expected, params string[] args)

@@ -23,9 +23,14 @@ internal static class PageLinks
         return [.. (IsAny(server.Address) ? OwnAddresses(server.AddressFamily) : [server.Address]).Select(address => Of(address, server.Port, token))];
     }
 
+    /// <summary>The link to the page behind a proxy.</summary>
+    public static string OfProxy(string origin, string? token) => $"{origin.TrimEnd('/')}/{QueryOf(token)}";
+
     private static bool IsAny(IPAddress address) => address.Equals(IPAddress.Any) || address.Equals(IPAddress.IPv6Any);
 
-    private static string Of(IPAddress address, int port, string? token) => $"http://{new IPEndPoint(address, port)}/{(token is null ? string.Empty : $"?token={token}")}";
+    private static string Of(IPAddress address, int port, string? token) => $"http://{new IPEndPoint(address, port)}/{QueryOf(token)}";
+
+    private static string QueryOf(string? token) => token is null ? string.Empty : $"?token={token}";
 
     // Networks with a gateway come first: phones and other computers are there. Virtual networks usually have none.
     private static IPAddress[] OwnAddresses(AddressFamily family)

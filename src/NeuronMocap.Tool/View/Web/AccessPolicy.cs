@@ -8,12 +8,13 @@ namespace NeuronMocap.Tool.View.Web;
 /// <summary>Decides who may use the server.</summary>
 /// <param name="token">The word that a browser must send; null for none.</param>
 /// <param name="isPublic">Whether other computers can reach the server.</param>
-internal sealed class AccessPolicy(string? token, bool isPublic)
+/// <param name="origins">The origins under which a proxy shows the page, such as https://show.example.</param>
+internal sealed class AccessPolicy(string? token, bool isPublic, IReadOnlyList<string> origins)
 {
     private const string Localhost = "localhost";
 
     // The names of this computer. A name of somebody else leads here only by DNS rebinding.
-    private readonly HashSet<string> _names = isPublic ? NamesOfThisComputer() : [];
+    private readonly HashSet<string> _names = new((isPublic ? NamesOfThisComputer() : []).Concat(origins.Select(HostOf)), StringComparer.OrdinalIgnoreCase);
 
     /// <summary>Finds out why a request is refused.</summary>
     /// <returns>A status and a sentence; null if the request is allowed.</returns>
@@ -38,16 +39,16 @@ internal sealed class AccessPolicy(string? token, bool isPublic)
     {
         string name = host.Host.Trim('[', ']').TrimEnd('.');
         if (IPAddress.TryParse(name, out IPAddress? address))
-            return isPublic || IPAddress.IsLoopback(address);
+            return isPublic || IPAddress.IsLoopback(address) || _names.Contains(name);
 
         return name.Equals(Localhost, StringComparison.OrdinalIgnoreCase) || _names.Contains(name);
     }
 
-    private static bool IsOriginAllowed(HttpRequest request)
+    private bool IsOriginAllowed(HttpRequest request)
     {
         string origin = request.Headers.Origin.ToString();
         if (origin.Length > 0)
-            return IsSame(origin, request) || AllowedOrigin.Allows([], origin);
+            return IsSame(origin, request) || AllowedOrigin.Allows(origins, origin);
 
         // Browsers leave the origin out of plain requests, but say where they come from.
         return !request.Headers["Sec-Fetch-Site"].ToString().Equals("cross-site", StringComparison.OrdinalIgnoreCase);
@@ -55,20 +56,20 @@ internal sealed class AccessPolicy(string? token, bool isPublic)
 
     private static bool IsSame(string origin, HttpRequest request) => origin.Equals($"{request.Scheme}://{request.Host}", StringComparison.OrdinalIgnoreCase);
 
-    private static HashSet<string> NamesOfThisComputer()
+    private static string HostOf(string origin) => new Uri(origin).IdnHost;
+
+    private static string[] NamesOfThisComputer()
     {
-        var names = new HashSet<string>(StringComparer.OrdinalIgnoreCase);
         try
         {
             string name = Dns.GetHostName();
             string first = name.Split('.')[0];
-            names.UnionWith([name, first, first + ".local", first + ".lan", first + ".home"]);
+            return [name, first, first + ".local", first + ".lan", first + ".home"];
         }
         catch (SocketException)
         {
             // A computer without a name is reached by its address.
+            return [];
         }
-
-        return names;
     }
 }
