@@ -1,5 +1,4 @@
 using System.Numerics;
-using NeuronMocap.Skeleton;
 
 namespace NeuronMocap.Tool.View.Takes;
 
