@@ -47,7 +47,7 @@ internal sealed class ViewRun(ViewOptions options, StandardStreams streams)
         using ScratchFolder scratch = CreateScratch();
         string? take = null;
         await using var hub = new ControlHub(() => [Hello("take", take, canCommand: false, performers: [])]);
-        await using ITakeLibrary takes = CreateTakes(scratch, hub);
+        await using TakeService takes = CreateTakes(scratch, hub);
         await using var characters = new CharacterLibrary(live: null, takes);
         take = await takes.OpenAsync(file, cancellationToken);
         await ServeAsync([hub, takes, characters], cancellationToken);
@@ -64,7 +64,7 @@ internal sealed class ViewRun(ViewOptions options, StandardStreams streams)
         LiveSession? live = null;
         RecordingControl? recording = null;
         await using var hub = new ControlHub(() => [Hello("live", take: null, commands is not null, live!.Introduce()), .. live.Greet(), recording!.Describe()]);
-        await using ITakeLibrary takes = CreateTakes(scratch, hub);
+        await using TakeService takes = CreateTakes(scratch, hub);
         await using (live = new LiveSession(reader, options.Source.ToString(), hub))
         await using (var characters = new CharacterLibrary(live, takes))
         await using (recording = new RecordingControl(reader, options.RecordFolder ?? string.Empty, hub, takes))
@@ -94,7 +94,7 @@ internal sealed class ViewRun(ViewOptions options, StandardStreams streams)
 
     private ScratchFolder CreateScratch() => new(UploadsThatFit * options.UploadMegabytes * BodyLimit.Megabyte);
 
-    private ITakeLibrary CreateTakes(ScratchFolder scratch, ControlHub hub) => new TakeService(scratch, hub, options.UploadMegabytes);
+    private TakeService CreateTakes(ScratchFolder scratch, ControlHub hub) => new TakeService(scratch, hub, options.UploadMegabytes);
 
     private async Task ServeAsync(IReadOnlyList<IViewPart> parts, CancellationToken cancellationToken)
     {

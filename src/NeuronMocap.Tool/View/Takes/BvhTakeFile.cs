@@ -1,6 +1,4 @@
-using System.Numerics;
 using NeuronMocap.Bvh;
-using NeuronMocap.Protocol;
 using NeuronMocap.Skeleton;
 
 namespace NeuronMocap.Tool.View.Takes;

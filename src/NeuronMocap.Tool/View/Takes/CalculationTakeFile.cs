@@ -1,5 +1,4 @@
 using NeuronMocap.Calculation;
-using NeuronMocap.Protocol;
 using NeuronMocap.Skeleton;
 
 namespace NeuronMocap.Tool.View.Takes;

@@ -1,5 +1,4 @@
 using NeuronMocap.Calculation;
-using NeuronMocap.Protocol;
 using NeuronMocap.Recording;
 using NeuronMocap.Server.Sources;
 using NeuronMocap.Skeleton;

@@ -78,7 +78,7 @@ internal sealed class Take : IDisposable
     public TakePerformer? Find(string? key)
     {
         ImmutableArray<TakePerformer> all = Performers;
-        return string.IsNullOrEmpty(key) ? all.FirstOrDefault() : all.FirstOrDefault(performer => performer.Key == key);
+        return string.IsNullOrEmpty(key) ? all.FirstOrDefault() : all.FirstOrDefault(performer => string.Equals(performer.Key, key, StringComparison.Ordinal));
     }
 
     /// <summary>Reads the file on another thread.</summary>

@@ -9,7 +9,7 @@ namespace NeuronMocap.Tool.View.Takes;
 
 /// <summary>Sends takes as files of another kind, made by the code of convert.</summary>
 /// <remarks>convert holds a take in memory, so only one runs at a time.</remarks>
-internal sealed class TakeDownload(ScratchFolder scratch)
+internal sealed class TakeDownload(ScratchFolder scratch) : IDisposable
 {
     private static readonly string[] Formats = ["bvh", "nmrec", "glb", "csv", "calc"];
 
@@ -51,6 +51,8 @@ internal sealed class TakeDownload(ScratchFolder scratch)
             File.Delete(settings.Output!);
         }
     }
+
+    public void Dispose() => _turn.Dispose();
 
     private async Task ConvertAsync(FileSettings settings, Take take, CancellationToken cancellationToken)
     {

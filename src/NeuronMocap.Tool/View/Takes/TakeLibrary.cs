@@ -49,7 +49,7 @@ internal sealed class TakeLibrary(ScratchFolder scratch) : IDisposable
     {
         lock (_lock)
         {
-            int place = _takes.FindIndex(take => take.Id == id);
+            int place = _takes.FindIndex(take => string.Equals(take.Id, id, StringComparison.Ordinal));
             if (place < 0)
                 return null;
 

@@ -1,4 +1,3 @@
-using NeuronMocap.Protocol;
 using NeuronMocap.Skeleton;
 using NeuronMocap.Tool.Files;
 

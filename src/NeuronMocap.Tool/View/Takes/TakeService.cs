@@ -42,6 +42,7 @@ internal sealed class TakeService(ScratchFolder scratch, ControlHub hub, int upl
     public ValueTask DisposeAsync()
     {
         _library.Dispose();
+        _download.Dispose();
         return ValueTask.CompletedTask;
     }
 
