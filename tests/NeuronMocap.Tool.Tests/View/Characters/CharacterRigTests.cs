@@ -11,7 +11,7 @@ public sealed class CharacterRigTests
     [InlineData("mixamo")]
     public void A_map_of_VRM_names_moves_the_same_nodes_as_their_names(string name)
     {
-        CharacterNode[] nodes = Characters.OfRig(name);
+        CharacterNode[] nodes = SampleCharacters.OfRig(name);
         var named = CharacterRig.Create(nodes);
         Dictionary<string, int> humanoid = named.Bones.ToArray()
             .Where(static bone => bone.Humanoid is not null)
@@ -38,7 +38,7 @@ public sealed class CharacterRigTests
     [Fact]
     public void Eyes_and_toes_of_a_map_stay_at_rest()
     {
-        CharacterNode[] nodes = [.. Characters.OfRig("vroid"), new("eye", 1, new Vector3(0, 0.7f, 0.1f))];
+        CharacterNode[] nodes = [.. SampleCharacters.OfRig("vroid"), new("eye", 1, new Vector3(0, 0.7f, 0.1f))];
         Dictionary<string, int> humanoid = CharacterRig.Create(nodes).Bones.ToArray()
             .Where(static bone => bone.Humanoid is not null)
             .ToDictionary(static bone => VrmBoneNames.Of(bone.Humanoid!.Value), static bone => bone.Node);
@@ -57,14 +57,14 @@ public sealed class CharacterRigTests
     [Fact]
     public void A_character_without_hips_says_which_bones_it_lacks()
     {
-        CharacterNode[] nodes = [.. Characters.OfRig("mixamo").Select(static node => node.Name == "mixamorig:Hips" ? node with { Name = "Middle" } : node)];
+        CharacterNode[] nodes = [.. SampleCharacters.OfRig("mixamo").Select(static node => node.Name == "mixamorig:Hips" ? node with { Name = "Middle" } : node)];
         Assert.Equal("The character lacks humanoid bones: hips.", Refusal(nodes));
     }
 
     [Fact]
     public void A_character_without_legs_moves_and_says_what_it_lacks()
     {
-        CharacterNode[] nodes = Characters.OfRig("ready-player-me");
+        CharacterNode[] nodes = SampleCharacters.OfRig("ready-player-me");
         for (int i = 0; i < nodes.Length; i++)
         {
             if (nodes[i].Name.Contains("Leg", StringComparison.Ordinal))
@@ -78,7 +78,7 @@ public sealed class CharacterRigTests
     [Fact]
     public void Swapped_sides_are_reported()
     {
-        CharacterNode[] nodes = Characters.OfRig("vroid");
+        CharacterNode[] nodes = SampleCharacters.OfRig("vroid");
         Dictionary<string, int> humanoid = CharacterRig.Create(nodes).Bones.ToArray()
             .Where(static bone => bone.Humanoid is not null)
             .ToDictionary(static bone => VrmBoneNames.Of(bone.Humanoid!.Value), static bone => bone.Node);
@@ -93,7 +93,7 @@ public sealed class CharacterRigTests
     [Fact]
     public void Wrong_nodes_are_refused_in_one_sentence()
     {
-        CharacterNode[] nodes = Characters.OfRig("mixamo");
+        CharacterNode[] nodes = SampleCharacters.OfRig("mixamo");
         Assert.Contains("nodes", Refusal([]), StringComparison.Ordinal);
         CharacterNode[] many = [.. Enumerable.Range(0, CharacterRig.MaxNodes + 1).Select(static i => new CharacterNode($"{i}", i - 1, Vector3.One))];
         Assert.Contains("nodes", Refusal(many), StringComparison.Ordinal);

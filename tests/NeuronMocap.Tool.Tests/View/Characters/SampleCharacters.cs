@@ -7,7 +7,7 @@ using NeuronMocap.Tool.View.Characters;
 namespace NeuronMocap.Tool.Tests.View.Characters;
 
 /// <summary>Characters and poses for tests.</summary>
-internal static class Characters
+internal static class SampleCharacters
 {
     public static readonly Quaternion HalfTurn = Quaternion.CreateFromAxisAngle(Vector3.UnitY, MathF.PI);
 
