@@ -17,7 +17,7 @@ public sealed class CharacterServerTests
     {
         using var demo = Broadcaster.StartDemo();
         await using CharacterServer server = await CharacterServer.StartAsync(demo.LocalEndPoint!);
-        CharacterNode[] nodes = Characters.OfRig("mixamo");
+        CharacterNode[] nodes = SampleCharacters.OfRig("mixamo");
         (int status, JsonElement body) = await server.SendAsync(HttpMethod.Post, "api/characters", CharacterServer.Request(nodes));
         Assert.Equal(200, status);
         Assert.Empty(body.GetProperty("problems").EnumerateArray());
@@ -33,7 +33,7 @@ public sealed class CharacterServerTests
     {
         using var demo = Broadcaster.StartDemo();
         await using CharacterServer server = await CharacterServer.StartAsync(demo.LocalEndPoint!);
-        CharacterNode[] nodes = Characters.OfBody(SkeletonBody.GetDefault());
+        CharacterNode[] nodes = SampleCharacters.OfBody(SkeletonBody.GetDefault());
         uint id = await server.AddAsync(nodes);
         CharacterMotion motion = server.Library.Find($"{id}");
         Assert.Equal((0, 0), (motion.Posed, server.FramesTaken));
@@ -74,14 +74,15 @@ public sealed class CharacterServerTests
     {
         using var demo = Broadcaster.StartDemo(avatars: 2);
         await using CharacterServer server = await CharacterServer.StartAsync(demo.LocalEndPoint!);
-        CharacterNode[] nodes = Characters.OfBody(SkeletonBody.GetDefault());
+        CharacterNode[] nodes = SampleCharacters.OfBody(SkeletonBody.GetDefault());
         uint id = await server.AddAsync(nodes, "0-9");
         CharacterMotion motion = server.Library.Find($"{id}");
         using ClientWebSocket socket = await server.ListenAsync(id);
         await CharacterServer.UntilAsync(() => server.FramesTaken > 10, "frames of others arrive");
         Assert.Equal(0, motion.Posed);
 
-        (int status, JsonElement body) = await server.SendAsync(HttpMethod.Put, $"api/characters/{id}", new JsonObject { ["performer"] = "0-1", ["plant"] = false });
+        var change = new JsonObject { ["performer"] = "0-1", ["plant"] = false };
+        (int status, JsonElement body) = await server.SendAsync(HttpMethod.Put, $"api/characters/{id}", change);
         Assert.Equal((200, 59), (status, body.GetProperty("bones").GetArrayLength()));
         Assert.False(motion.Character.State.PlantsFeet);
         Assert.NotEmpty(await CharacterServer.ReceiveAsync(socket));
@@ -92,7 +93,7 @@ public sealed class CharacterServerTests
     {
         using var demo = Broadcaster.StartDemo();
         await using CharacterServer server = await CharacterServer.StartAsync(demo.LocalEndPoint!);
-        CharacterNode[] nodes = Characters.OfBody(SkeletonBody.GetDefault(SkeletonVariant.Spine3));
+        CharacterNode[] nodes = SampleCharacters.OfBody(SkeletonBody.GetDefault(SkeletonVariant.Spine3));
         uint id = await server.AddAsync(nodes);
         (_, JsonElement body) = await server.SendAsync(HttpMethod.Put, $"api/characters/{id}", new JsonObject { ["variant"] = "Spine3" });
         Assert.Contains(body.GetProperty("bones").EnumerateArray(), static bone => bone.GetProperty("bone").GetString() == "Spine3");
@@ -105,7 +106,7 @@ public sealed class CharacterServerTests
     {
         using var demo = Broadcaster.StartDemo();
         await using CharacterServer server = await CharacterServer.StartAsync(demo.LocalEndPoint!);
-        uint id = await server.AddAsync(Characters.OfRig("vroid"));
+        uint id = await server.AddAsync(SampleCharacters.OfRig("vroid"));
         using ClientWebSocket socket = await server.ListenAsync(id);
         Assert.NotEmpty(await CharacterServer.ReceiveAsync(socket));
         Assert.Equal(204, (await server.SendAsync(HttpMethod.Delete, $"api/characters/{id}")).Status);
@@ -129,7 +130,7 @@ public sealed class CharacterServerTests
     {
         using var demo = Broadcaster.StartDemo();
         await using CharacterServer server = await CharacterServer.StartAsync(demo.LocalEndPoint!);
-        CharacterNode[] nodes = Characters.OfRig("xsens-bvh");
+        CharacterNode[] nodes = SampleCharacters.OfRig("xsens-bvh");
         uint shown = await server.AddAsync(nodes);
         using ClientWebSocket socket = await server.ListenAsync(shown);
         uint forgotten = await server.AddAsync(nodes);
@@ -175,9 +176,9 @@ public sealed class CharacterServerTests
     public void A_pose_has_the_documented_bytes()
     {
         SkeletonBody body = SkeletonBody.GetDefault();
-        var rig = CharacterRig.Create(Characters.OfBody(body));
+        var rig = CharacterRig.Create(SampleCharacters.OfBody(body));
         var poser = new CharacterPoser(rig, body) { PlantsFeet = false };
-        Assert.True(poser.TryTake(Characters.Pose(body), default, 0));
+        Assert.True(poser.TryTake(SampleCharacters.Pose(body), default, 0));
         byte[] bytes = new byte[CharacterPose.MaxSize];
         Assert.Equal(28 + (59 * 6), CharacterPose.Encode(rig, poser.Pose, 0x01020304, -5, bytes));
         Assert.Equal([1, 2, 59, 0, 4, 3, 2, 1], bytes[..8]);

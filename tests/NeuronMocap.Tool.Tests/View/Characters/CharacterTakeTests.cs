@@ -4,7 +4,6 @@ using System.Text.Json;
 using System.Text.Json.Nodes;
 using NeuronMocap.Server;
 using NeuronMocap.Skeleton;
-using NeuronMocap.Tool.Tests.Files;
 using NeuronMocap.Tool.Tests.View.Takes;
 using NeuronMocap.Tool.View.Characters;
 
@@ -25,7 +24,7 @@ public sealed class CharacterTakeTests : IDisposable
         await using CharacterServer server = await StartAsync();
         (string take, string performer) = await OpenAsync(server);
         SkeletonBody body = server.Takes.FindPerformer(performer)!.Body;
-        CharacterNode[] nodes = Characters.OfBody(body);
+        CharacterNode[] nodes = SampleCharacters.OfBody(body);
         uint id = await server.AddAsync(nodes);
         await server.SendAsync(HttpMethod.Put, $"api/characters/{id}", new JsonObject { ["plant"] = false });
         CharacterRig rig = server.Library.Find($"{id}").Character.State.Rig;
@@ -41,7 +40,7 @@ public sealed class CharacterTakeTests : IDisposable
             ForwardKinematics.ToWorld(expected, expected, body.Variant);
             Matrix4x4[] world = pose.World();
             foreach (Bone bone in BoneHierarchy.Bones)
-                Characters.AssertNear(expected[(int)bone].Position / 100, world[(int)bone].Translation, 0.002f, $"{bone}");
+                SampleCharacters.AssertNear(expected[(int)bone].Position / 100, world[(int)bone].Translation, 0.002f, $"{bone}");
         }
     }
 
@@ -50,7 +49,7 @@ public sealed class CharacterTakeTests : IDisposable
     {
         await using CharacterServer server = await StartAsync();
         (string take, string performer) = await OpenAsync(server);
-        CharacterNode[] nodes = Characters.OfRig("mixamo");
+        CharacterNode[] nodes = SampleCharacters.OfRig("mixamo");
         uint id = await server.AddAsync(nodes);
         CharacterRig rig = server.Library.Find($"{id}").Character.State.Rig;
         byte[][] whole = Split(await server.GetBytesAsync(Address(take, id, performer, 0, Frames)));
@@ -61,7 +60,7 @@ public sealed class CharacterTakeTests : IDisposable
             Matrix4x4[] expected = new DecodedPose(nodes, rig, whole[320 + i]).World();
             Matrix4x4[] actual = new DecodedPose(nodes, rig, part[i]).World();
             for (int node = 0; node < nodes.Length; node++)
-                Characters.AssertNear(expected[node].Translation, actual[node].Translation, 0.005f, nodes[node].Name);
+                SampleCharacters.AssertNear(expected[node].Translation, actual[node].Translation, 0.005f, nodes[node].Name);
         }
     }
 
@@ -70,7 +69,7 @@ public sealed class CharacterTakeTests : IDisposable
     {
         await using CharacterServer server = await StartAsync();
         (string take, string performer) = await OpenAsync(server);
-        uint id = await server.AddAsync(Characters.OfRig("mixamo"));
+        uint id = await server.AddAsync(SampleCharacters.OfRig("mixamo"));
         Assert.Empty(await server.GetBytesAsync(Address(take, id, performer, Frames, 10)));
         (int status, JsonElement body) = await server.SendAsync(HttpMethod.Get, Address(take, id, "nobody", 0, 1));
         Assert.Equal((404, "No open take has this performer."), (status, body.GetProperty("error").GetString()));
@@ -96,10 +95,10 @@ public sealed class CharacterTakeTests : IDisposable
     }
 
     // The stream does not matter. The broadcaster only needs to exist.
-    private static Task<CharacterServer> StartAsync()
+    private static async Task<CharacterServer> StartAsync()
     {
         using var demo = Broadcaster.StartDemo();
-        return CharacterServer.StartAsync(demo.LocalEndPoint!);
+        return await CharacterServer.StartAsync(demo.LocalEndPoint!);
     }
 
     private async Task<(string Take, string Performer)> OpenAsync(CharacterServer server)
@@ -109,8 +108,8 @@ public sealed class CharacterTakeTests : IDisposable
         while (true)
         {
             (_, JsonElement info) = await server.SendAsync(HttpMethod.Get, $"api/takes/{take}");
-            if (info.GetProperty("progress").GetDouble() == 1 && info.GetProperty("performers")[0] is var performer && performer.GetProperty("frames").GetInt32() == Frames)
-                return (take, performer.GetProperty("key").GetString()!);
+            if (info.GetProperty("progress").GetDouble() == 1 && info.GetProperty("performers")[0].GetProperty("frames").GetInt32() == Frames)
+                return (take, info.GetProperty("performers")[0].GetProperty("key").GetString()!);
 
             await Task.Delay(5, TestContext.Current.CancellationToken);
         }
