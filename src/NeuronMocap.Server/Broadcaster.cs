@@ -17,8 +17,8 @@ namespace NeuronMocap.Server;
 /// TCP clients only have to connect; they need not send anything. A client can neither end a broadcast nor affect another client.
 /// <para>
 /// All members are thread-safe. One thread listens, one makes the frames of a paced broadcast, and each recipient has a thread that writes to it.
-/// All of them are background threads. On .NET, packets of a <see cref="BroadcasterOptions.Reader"/> are sent on its receive thread to recipients that keep
-/// up; it never waits for them.
+/// All of them are background threads. On .NET, the thread that makes a frame also sends it to recipients that keep up; it never waits for them. For packets
+/// of a <see cref="BroadcasterOptions.Reader"/>, this is its receive thread.
 /// </para>
 /// </remarks>
 public sealed partial class Broadcaster : IDisposable, IAsyncDisposable
@@ -240,13 +240,18 @@ public sealed partial class Broadcaster : IDisposable, IAsyncDisposable
         : [CreateStream(create(true, false)), CreateStream(create(false, true), isBeside: true)];
 
     private BroadcastStream CreateStream(BroadcastContent content, DataCommandReplies? replies = null, bool isBeside = false) =>
-        new(content, IsPaced ? new FrameLog(_options.QueueCapacity, content.PacketsPerFrame) : null, replies)
+        new(content, IsPaced ? new FrameLog(_options.QueueCapacity, content.PacketsPerFrame) { MaxDirect = GetMaxDirect(content) } : null, replies)
         {
             IsBeside = isBeside,
             IsPacketwise = _isPacketwise,
             Forwarder = _forwarder,
-            IsDirect = _options.Reader is not null && DirectSending.IsSupported,
+            IsDirect = _options.RecordingPath is null && DirectSending.IsSupported,
         };
+
+    // The pacer sends to no more clients than it can without falling behind at the rate of the frames. How often a reader receives is not known.
+    private int GetMaxDirect(BroadcastContent content) => _options.Reader is not null
+        ? FrameLog.DefaultMaxDirect
+        : (int)Math.Min(DirectSending.MaxPerSecond / (FrameRate * (_isPacketwise ? content.PacketsPerFrame : 1)), FrameLog.LargestMaxDirect);
 
     // One plan for each port.
     private static FramePlan[] CreatePlans(BroadcasterOptions options, double rate)

@@ -130,6 +130,50 @@ public sealed class DirectLogTests
         Assert.True(_log.IsAtEnd(cursor));
     }
 
+    [Fact]
+    public async Task A_reader_that_waits_gets_frames_and_their_packets_without_waking()
+    {
+        var log = new FrameLog(length: 4, packetsPerFrame: 2);
+        FrameCursor cursor = log.CreateCursor();
+        var recipient = new Recipient();
+        log.Attach(cursor, recipient);
+        Task<FrameBatch> reading = await ReadAsync(cursor, log: log);
+        log.Publish([1, 2]);
+        log.Publish([3], packets: 1);
+        FrameCursor late = log.CreateCursor();
+        log.Publish([4], packets: 1);
+        Assert.Equal([1, 2, 3, 4], recipient.Taken);
+        Assert.Equal([(2, 0), (1, 0), (1, 1)], recipient.Parts);
+        Assert.False(reading.IsCompleted);
+
+        // It has the first packet of a frame, then wakes, and its own thread reads the second.
+        log.Publish([5], packets: 1);
+        log.Wake(cursor);
+        Assert.Equal(new FrameBatch(0, 0, First: 1), await reading.Soon());
+        log.Publish([6], packets: 1);
+        Assert.Equal(new FrameBatch(1, 1, First: 1), log.Read(cursor, _buffer));
+        Assert.Equal(6, _buffer[0]);
+        Assert.Equal(0, log.GetMissed(cursor));
+
+        Assert.Equal(new FrameBatch(4, 4), log.Read(late, _buffer));
+        Assert.Equal([3, 4, 5, 6], _buffer[..4]);
+    }
+
+    [Fact]
+    public async Task A_reader_without_room_reads_the_frame_on_its_own_thread()
+    {
+        var log = new FrameLog(length: 4, packetsPerFrame: 2);
+        FrameCursor cursor = log.CreateCursor();
+        var recipient = new Recipient { Room = 0 };
+        log.Attach(cursor, recipient);
+        Task<FrameBatch> reading = await ReadAsync(cursor, log: log);
+        log.Publish([1, 2]);
+        Assert.Equal(new FrameBatch(2, 2), await reading.Soon());
+        Assert.Equal([1, 2], _buffer[..2]);
+        Assert.Empty(recipient.Taken);
+        Assert.Equal(0, log.GetMissed(cursor));
+    }
+
     private static UnitBatch Units(params byte[] units)
     {
         var batch = new UnitBatch();
@@ -151,10 +195,10 @@ public sealed class DirectLogTests
     }
 
     // Returns when the reader waits.
-    private async Task<Task<FrameBatch>> ReadAsync(FrameCursor cursor, byte[]? buffer = null)
+    private async Task<Task<FrameBatch>> ReadAsync(FrameCursor cursor, byte[]? buffer = null, FrameLog? log = null)
     {
         Task<FrameBatch> reading = Task.Factory.StartNew(
-            () => _log.Read(cursor, buffer ?? _buffer), TestContext.Current.CancellationToken, TaskCreationOptions.LongRunning, TaskScheduler.Default);
+            () => (log ?? _log).Read(cursor, buffer ?? _buffer), TestContext.Current.CancellationToken, TaskCreationOptions.LongRunning, TaskScheduler.Default);
         await Limits.UntilAsync(() => cursor.IsWaiting);
         return reading;
     }
@@ -163,17 +207,21 @@ public sealed class DirectLogTests
     {
         public List<byte> Taken { get; } = [];
 
+        // Packets and first packet of each call.
+        public List<(int Packets, int First)> Parts { get; } = [];
+
         public int Room { get; set; } = int.MaxValue;
 
         public bool IsReady { get; set; } = true;
 
         public Exception? Fault { get; set; }
 
-        public int Take(UnitBatch units)
+        public int Take(UnitBatch units, int packets, int first)
         {
             if (Fault is not null)
                 throw Fault;
 
+            Parts.Add((packets, first));
             int count = Math.Min(units.Count, Room);
             for (int i = 0; i < count; i++)
                 Taken.AddRange(units.BytesOf(i));

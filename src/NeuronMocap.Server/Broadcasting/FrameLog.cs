@@ -58,11 +58,13 @@ internal sealed partial class FrameLog(int length, int packetsPerFrame = 1)
             if (!_isFramePending)
                 slot.Clear();
 
+            int first = slot.Packets;
             slot.Append(bytes, packets);
             _isFramePending = slot.Packets < packetsPerFrame;
             if (!_isFramePending)
                 _end++;
 
+            PassPart(bytes, packets, first);
             EndWaits();
         }
 

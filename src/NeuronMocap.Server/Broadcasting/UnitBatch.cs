@@ -1,13 +1,13 @@
 namespace NeuronMocap.Server.Broadcasting;
 
 /// <summary>Units that arrived together, one behind the other in memory. Does not allocate once its buffers have grown. Not thread-safe.</summary>
-internal sealed class UnitBatch
+internal sealed class UnitBatch(int capacity = 64 * 1024)
 {
     private readonly List<Unit> _units = [];
     private int _length;
 
     /// <summary>The bytes of all units.</summary>
-    public byte[] Bytes { get; private set; } = new byte[64 * 1024];
+    public byte[] Bytes { get; private set; } = new byte[capacity];
 
     /// <summary>Number of units that are complete.</summary>
     public int Count => _units.Count;

@@ -13,7 +13,7 @@ internal sealed partial class ClientSession : IDirectRecipient
     bool IDirectRecipient.IsReady => _restLength == 0;
 
     // An error is left to the session's thread, which gets the same one.
-    int IDirectRecipient.Take(UnitBatch units)
+    int IDirectRecipient.Take(UnitBatch units, int packets, int first)
     {
         int sent;
         try
@@ -37,12 +37,13 @@ internal sealed partial class ClientSession : IDirectRecipient
         units.Bytes.AsSpan(sent, _restLength).CopyTo(_rest);
         if (_restLength == 0)
         {
-            Mark(_sent + end, new FrameBatch(end, taken));
+            Mark(_sent + end, new FrameBatch(end, taken * packets, first));
         }
         else
         {
-            Mark(_sent + units.StartOf(taken - 1), new FrameBatch(units.StartOf(taken - 1), taken - 1));
-            Mark(_sent + end, new FrameBatch(end, 1));
+            int start = units.StartOf(taken - 1);
+            Mark(_sent + start, new FrameBatch(start, (taken - 1) * packets, first));
+            Mark(_sent + end, new FrameBatch(end - start, packets, first));
         }
 
         CountSent(sent);

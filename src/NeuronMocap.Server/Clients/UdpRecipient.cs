@@ -36,7 +36,9 @@ internal sealed class UdpRecipient : NetworkRecipient, IDirectRecipient
         _socket = socket;
         _fragment = Math.Min(fragment ?? MaxDatagram, MaxDatagram);
         _buffer = new byte[ReadSize];
-        if (!stream.IsDirect)
+
+        // The log can only repeat whole units, so a destination that had no room must not have got a part of one.
+        if (!stream.IsDirect || (stream.Content.PacketsPerFrame > 1 && !stream.IsPacketwise))
             return;
 
         socket.Blocking = false;
@@ -67,12 +69,12 @@ internal sealed class UdpRecipient : NetworkRecipient, IDirectRecipient
     public override void Dispose() => _socket.Dispose();
 
     // Runs on the publishing thread while this recipient's thread waits in ReadFeed. Each unit is a packet.
-    int IDirectRecipient.Take(UnitBatch units)
+    int IDirectRecipient.Take(UnitBatch units, int packets, int first)
     {
         int taken = 0;
         try
         {
-            while (taken < units.Count && TrySendPacket(units.Bytes, units.StartOf(taken), units.EndOf(taken), Plan.IsMotion(0), mayWait: false))
+            while (taken < units.Count && TrySendPacket(units.Bytes, units.StartOf(taken), units.EndOf(taken), Plan.IsMotion(first), mayWait: false))
                 taken++;
         }
         catch (ObjectDisposedException)

@@ -7,7 +7,7 @@ using NeuronMocap.Recording;
 
 namespace NeuronMocap.Benchmarks.Macro;
 
-// The cost of a recording for the receive thread: frames to a callback, with and without a recording, on a hot cache. The frames of a batch fit into
+// The processor time that a recording costs the receive thread: frames to a callback, with and without a recording, on a hot cache. The frames of a batch fit into
 // the recording's queue, and the next batch follows when they are written. They are written to a null stream, because the disk is not measured.
 internal static class Record
 {
@@ -35,20 +35,21 @@ internal static class Record
         pipeline.Callbacks.Motion.Add(frame => handled += Math.Sign(frame.Values.Length));
         pipeline.Tap.Open(isDatagrams: false, local: null, remote: null, Stopwatch.GetTimestamp());
         StreamRecorder[] recorders = [.. Enumerable.Range(0, recordings).Select(_ => Start(pipeline.Tap))];
-        var assembler = new PacketAssembler(new PacketScanner(), pipeline);
+        var assembler = new PacketAssembler(new PacketScanner(), pipeline, pipeline.Tap);
         uint index = 0;
         Push();
 
         long allocated = 0;
-        long elapsed = 0;
+        double elapsed = 0;
         for (int i = 0; i < Batches; i++)
         {
             long before = GC.GetAllocatedBytesForCurrentThread();
-            long start = Stopwatch.GetTimestamp();
+            double start = ThreadClock.Nanoseconds;
             Push();
-            elapsed += Stopwatch.GetTimestamp() - start;
+            elapsed += ThreadClock.Nanoseconds - start;
             allocated += GC.GetAllocatedBytesForCurrentThread() - before;
-            while (!Array.TrueForAll(recorders, static recorder => recorder.GetStatistics() is var done && done.WrittenBytes >= done.Bytes))
+            long pushed = Batch * (i + 2);
+            while (!Array.TrueForAll(recorders, recorder => recorder.GetStatistics() is var done && done.Pieces + done.LostPieces >= pushed))
                 Thread.Sleep(1);
         }
 
@@ -59,7 +60,7 @@ internal static class Record
 
         return new Figures
         {
-            ["ns/frame"] = elapsed * 1e9 / Stopwatch.Frequency / (Batch * Batches),
+            ["ns/frame"] = elapsed / (Batch * Batches),
             ["B/frame"] = allocated / (double)(Batch * Batches),
         };
 

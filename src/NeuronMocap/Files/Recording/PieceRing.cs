@@ -15,19 +15,22 @@ namespace NeuronMocap.Recording;
 // The indices are ints, so 32-bit processors read them atomically. The indices of the two sides are 128 bytes apart. The two cores then do not
 // compete for a cache line, or for a pair of lines on processors that fetch pairs.
 //
-// Waking: a consumer that is about to wait sets a flag, executes a full fence, and checks the tail once more. A producer that has published the
-// tail executes a full fence and then checks the flag. At least one of the two therefore sees the other.
+// Waking: a consumer that is about to wait sets a flag, executes a full fence, and checks the tail once more. A producer whose tail has entered another
+// part of the ring executes a full fence and then checks the flag. At least one of the two therefore sees the other. A consumer waits only for less
+// than a part, so the tail enters the next part before two parts wait.
 [SuppressMessage("Design", "CA1001", Justification = "A producer may still signal after the consumer has ended.")]
 internal sealed class PieceRing
 {
     // Reserved for records of connections, which then find room even when no piece does.
     private const int Reserve = 16 * 1024;
 
-    // Number of bytes for which the consumer is woken. It finds smaller amounts when its wait times out.
-    private const int WakeLevel = 64 * 1024;
+    // The consumer is woken whenever a part of this size has been filled, so that at most two parts wait for it. It finds smaller amounts when its wait
+    // times out. The fence before a look at its flag waits for the copy to reach the cache, and waking takes a system call.
+    private const int WakeParts = 8;
 
     private readonly byte[] _bytes;
     private readonly int _mask;
+    private readonly int _wakeLevel;
     private readonly AutoResetEvent _wake = new(initialState: false);
     private byte[] _joined = [];
     private Indices _indices;
@@ -42,7 +45,8 @@ internal sealed class PieceRing
 
         _bytes = new byte[size];
         _mask = size - 1;
-        _indices.Tail = _indices.ProducersHead = _indices.Head = firstIndex;
+        _wakeLevel = size / WakeParts;
+        _indices.Tail = _indices.ProducersHead = _indices.Head = _indices.ConsumersTail = firstIndex;
     }
 
     public int Capacity => _bytes.Length;
@@ -59,15 +63,16 @@ internal sealed class PieceRing
             return false;
 
         int tail = _indices.Tail;
-        Span<byte> header = stackalloc byte[PieceRecord.HeaderSize];
-        MemoryMarshal.Write(header, in record);
-        Put(tail, header);
-        Put(tail + PieceRecord.HeaderSize, text);
-        Put(tail + PieceRecord.HeaderSize + text.Length, bytes);
+        int start = tail & _mask;
+        if (start + record.Size <= _bytes.Length)
+            PutWhole(_bytes.AsSpan(start, record.Size), record, text, bytes);
+        else
+            PutInParts(tail, record, text, bytes);
+
         Volatile.Write(ref _indices.Tail, tail + record.Size);
 
-        // An outdated head only wakes the consumer too early.
-        if (tail + record.Size - _indices.ProducersHead >= WakeLevel)
+        // Without a look at the consumer's side, and without the fence, until another part is full.
+        if (((tail ^ (tail + record.Size)) & -_wakeLevel) != 0)
             WakeWaiting();
 
         return true;
@@ -78,8 +83,13 @@ internal sealed class PieceRing
     {
         record = default;
         int head = _indices.Head;
-        if (head == Volatile.Read(ref _indices.Tail))
-            return false;
+        if (head == _indices.ConsumersTail)
+        {
+            // Read only when everything known is used up, because each read takes the cache line away from the producer.
+            _indices.ConsumersTail = Volatile.Read(ref _indices.Tail);
+            if (head == _indices.ConsumersTail)
+                return false;
+        }
 
         Span<byte> header = stackalloc byte[PieceRecord.HeaderSize];
         Take(head, header);
@@ -109,7 +119,7 @@ internal sealed class PieceRing
     public void Wait(TimeSpan timeout)
     {
         Interlocked.Exchange(ref _isWaiting, 1);
-        if (Volatile.Read(ref _indices.Tail) - _indices.Head < WakeLevel)
+        if (Volatile.Read(ref _indices.Tail) - _indices.Head < _wakeLevel)
             _wake.WaitOne(timeout);
 
         Volatile.Write(ref _isWaiting, 0);
@@ -132,6 +142,23 @@ internal sealed class PieceRing
         Interlocked.MemoryBarrier();
         if (Volatile.Read(ref _isWaiting) != 0 && Interlocked.Exchange(ref _isWaiting, 0) != 0)
             _wake.Set();
+    }
+
+    private static void PutWhole(Span<byte> room, in PieceRecord record, ReadOnlySpan<byte> text, ReadOnlySpan<byte> bytes)
+    {
+        MemoryMarshal.Write(room, in record);
+        room = room[PieceRecord.HeaderSize..];
+        text.CopyTo(room);
+        bytes.CopyTo(room[text.Length..]);
+    }
+
+    private void PutInParts(int index, in PieceRecord record, ReadOnlySpan<byte> text, ReadOnlySpan<byte> bytes)
+    {
+        Span<byte> header = stackalloc byte[PieceRecord.HeaderSize];
+        MemoryMarshal.Write(header, in record);
+        Put(index, header);
+        Put(index + PieceRecord.HeaderSize, text);
+        Put(index + PieceRecord.HeaderSize + text.Length, bytes);
     }
 
     private void Put(int index, ReadOnlySpan<byte> bytes)
@@ -161,6 +188,9 @@ internal sealed class PieceRing
 
         [FieldOffset(256)]
         public int Head;
+
+        [FieldOffset(260)]
+        public int ConsumersTail;
     }
 }
 
