@@ -19,15 +19,15 @@ internal static class Record
         report.Begin($"Nanoseconds of the receive thread a frame of {TestFrame.Size} bytes, against the same without a recording; {Batch * Batches} frames a run, {runs} runs.");
         Way[] ways =
         [
-            new("recorded", static () => Measure(recordings: 1)),
-            new("recorded twice", static () => Measure(recordings: 2)),
+            new("recorded", static () => Measure(Batches, recordings: 1)),
+            new("recorded twice", static () => Measure(Batches, recordings: 2)),
         ];
-        Aim[] aims = [new Aim("ns/frame", 2, IsRatio: true, Way: "recorded"), new Aim("B/frame", 0)];
-        report.Add(await Alternation.RunAsync("one frame", runs, new Way("not recorded", static () => Measure(recordings: 0)), ways, aims));
+        Aim[] aims = [new Aim("ns/frame", 1.5, IsRatio: true, Way: "recorded"), new Aim("ns/frame", 2, IsRatio: true, Way: "recorded twice"), new Aim("B/frame", 0)];
+        report.Add(await Alternation.RunAsync("one frame", runs, new Way("not recorded", static () => Measure(Batches, recordings: 0)), ways, aims));
         return report.End();
     }
 
-    private static Figures Measure(int recordings)
+    public static Figures Measure(int batches, int recordings)
     {
         byte[] packet = TestFrame.Create();
         ReceivePipeline pipeline = Pipelines.Create();
@@ -41,27 +41,35 @@ internal static class Record
 
         long allocated = 0;
         long elapsed = 0;
-        for (int i = 0; i < Batches; i++)
+        TimeSpan cpu = RuntimeFigures.CpuTime;
+        for (int i = 0; i < batches; i++)
         {
             long before = GC.GetAllocatedBytesForCurrentThread();
             long start = Stopwatch.GetTimestamp();
             Push();
             elapsed += Stopwatch.GetTimestamp() - start;
             allocated += GC.GetAllocatedBytesForCurrentThread() - before;
-            while (!Array.TrueForAll(recorders, static recorder => recorder.GetStatistics() is var done && done.WrittenBytes >= done.Bytes))
-                Thread.Sleep(1);
+            WaitUntilWritten();
         }
 
+        cpu = RuntimeFigures.CpuTime - cpu;
         foreach (StreamRecorder recorder in recorders)
             recorder.Dispose();
-        if (handled != Batch * (Batches + 1) || recorders.Any(static recorder => recorder.GetStatistics().Pieces != Batch * (Batches + 1)))
+        if (handled != Batch * (batches + 1) || recorders.Any(recorder => recorder.GetStatistics().Pieces != Batch * (batches + 1)))
             throw new InvalidOperationException("Not every frame was delivered and recorded.");
 
         return new Figures
         {
-            ["ns/frame"] = elapsed * 1e9 / Stopwatch.Frequency / (Batch * Batches),
-            ["B/frame"] = allocated / (double)(Batch * Batches),
+            ["ns/frame"] = elapsed * 1e9 / Stopwatch.Frequency / (Batch * batches),
+            [Check.Cpu] = cpu.TotalNanoseconds / (Batch * batches),
+            ["B/frame"] = allocated / (double)(Batch * batches),
         };
+
+        void WaitUntilWritten()
+        {
+            while (!Array.TrueForAll(recorders, static recorder => recorder.GetStatistics() is var done && done.WrittenBytes >= done.Bytes))
+                Thread.Sleep(1);
+        }
 
         void Push()
         {
