@@ -1,4 +1,5 @@
 using System.Diagnostics;
+using NeuronMocap.Reader;
 using NeuronMocap.Transport;
 
 namespace NeuronMocap;
@@ -18,7 +19,7 @@ public sealed partial class NeuronReader
             return;
 
         TimeSpan period = TimeSpan.FromSeconds(Math.Min(0.5, _options.SilenceTimeout.TotalSeconds / 4));
-        _watchdog = new Timer(_ => Check(Stopwatch.GetTimestamp()), state: null, period, period);
+        _watchdog = new Watchdog(period, Check, IsIdle);
         if (StartsOnPool || _options.ReceiveThread == ReceiveThread.Pool || !TryRunOnThread())
             _ = Task.Run(RunAsync);
     }
@@ -224,6 +225,9 @@ public sealed partial class NeuronReader
         }
     }
 
+    // Time between two checks of a running reader.
+    internal TimeSpan CheckPeriod => _watchdog?.Period ?? TimeSpan.Zero;
+
     private void Check(long now)
     {
         _activity.Check(now);
@@ -233,6 +237,9 @@ public sealed partial class NeuronReader
         if (!_eventHandlers.IsEmpty)
             _reporter.Check(now);
     }
+
+    // Whether only bytes from the network can change anything. The questions of the command channel, refused senders and a second connection need checks.
+    private bool IsIdle() => !_isPlayback && _discovery is null && _calculation is null && _options.AllowedSenders.Count == 0 && _activity.IsIdle;
 
     // Called after the handlers of Stopped, the last status.
     private void Complete(ConnectionStatus last)
@@ -261,6 +268,7 @@ public sealed partial class NeuronReader
         if (status.IsConnected)
             _connected.TrySetResult(true);
         _recordings.Learn(status.Format);
+        _watchdog?.Adjust();
         _reportingThread = Environment.CurrentManagedThreadId;
         _reporter.OnStatus(status);
         _statusHandlers.Invoke(status);

@@ -61,7 +61,7 @@ public sealed partial class NeuronReader : IDisposable, IAsyncDisposable
     private readonly ServerDiscovery? _discovery;
     private readonly ReaderRecordings _recordings;
     private readonly bool _isPlayback;
-    private Timer? _watchdog;
+    private Watchdog? _watchdog;
     private int _started;
     private int _begun;
     private int _disposed;
@@ -152,6 +152,7 @@ public sealed partial class NeuronReader : IDisposable, IAsyncDisposable
             recognizer.Describe,
             player is null ? null : () => player.IsHeld,
             player is not null ? ConnectionMessages.NoRecordedFrames : _options.Source is not null ? ConnectionMessages.NoBytes : null);
+        _activity.Disturbed = () => _watchdog?.Adjust();
         _eventHandlers = new HandlerList<ReaderEvent>(OnCallbackFailed);
         _eventHandlers.Add(_options.CreateLog());
         _metrics = new ReaderMetrics(_options.DisplayName);

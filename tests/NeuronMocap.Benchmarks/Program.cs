@@ -2,6 +2,7 @@ using System.CommandLine;
 using BenchmarkDotNet.Running;
 using NeuronMocap.Benchmarks.Macro;
 using NeuronMocap.Benchmarks.Micro;
+using NeuronMocap.Benchmarks.Page;
 using NeuronMocap.Benchmarks.Peers;
 using static NeuronMocap.Benchmarks.BenchmarkCommands;
 
@@ -41,13 +42,51 @@ var counts = new Option<int[]>("--counts") { Description = "Numbers of connectio
 var streams = new Command("streams", "Cost of many connections in one process.") { counts, Seconds, Runs, Json };
 streams.SetAction((result, _) => Streams.RunAsync(result.GetValue(counts)!, result.GetValue(Seconds), result.GetValue(Runs), Open(result)));
 
+var idleCounts = new Option<int[]>("--counts") { Description = "Numbers of connections.", DefaultValueFactory = _ => [1, 100], AllowMultipleArgumentsPerToken = true };
+var settle = new Option<double>("--settle") { Description = "Seconds before each run.", DefaultValueFactory = _ => 60 };
+var idle = new Command("idle", "Wake-ups and processor time of connections that deliver nothing.") { idleCounts, settle, Seconds, Runs, Json };
+idle.SetAction((result, _) => Idle.RunAsync(
+    result.GetValue(idleCounts)!, result.GetValue(settle), result.GetValue(Seconds), result.GetValue(Runs), Open(result)));
+
+var silent = new Command("silent", "The server of idle, in its own process.") { Hidden = true };
+silent.Add(Connections);
+silent.SetAction(result => SilentServer.Run(result.GetValue(Connections)));
+
 var megabytes = new Option<int>("--megabytes") { Description = "Size of the file.", DefaultValueFactory = _ => 100 };
 var bvh = new Command("bvh", "Reading a BVH file, row by row and as a document.") { megabytes, Runs, Json };
 bvh.SetAction((result, _) => BvhFiles.RunAsync(result.GetValue(megabytes), result.GetValue(Runs), Open(result)));
 
 var speeds = new Option<double[]>("--speeds") { Description = "Speeds.", DefaultValueFactory = _ => [1, 4], AllowMultipleArgumentsPerToken = true };
-var playback = new Command("playback", "How exactly a recording is played, and what it costs.") { speeds, Seconds, Json };
-playback.SetAction((result, _) => Playback.RunAsync(result.GetValue(speeds)!, result.GetValue(Seconds), Open(result)));
+var playback = new Command("playback", "How exactly a recording is played, and what it costs.") { speeds, Seconds, Runs, Json };
+playback.SetAction((result, _) => Playback.RunAsync(result.GetValue(speeds)!, result.GetValue(Seconds), result.GetValue(Runs), Open(result)));
+
+var senders = new Option<int[]>("--senders") { Description = "Numbers of senders.", DefaultValueFactory = _ => [1, 16], AllowMultipleArgumentsPerToken = true };
+var udp = new Command("udp", "Datagrams per second and their loss.") { senders, Frames, Runs, Json };
+udp.SetAction((result, _) => Udp.RunAsync(result.GetValue(senders)!, result.GetValue(Frames), result.GetValue(Runs), Open(result)));
+
+var growthCounts = new Option<int[]>("--counts") { Description = "Numbers, the smallest of which is the floor.", DefaultValueFactory = _ => [1, 10, 100, 1000], AllowMultipleArgumentsPerToken = true };
+var hours = new Option<double[]>("--hours") { Description = "Lengths of recordings.", DefaultValueFactory = _ => [0.1, 1, 8], AllowMultipleArgumentsPerToken = true };
+var growth = new Command("growth", "Cost of a frame as connections, avatars, consumers, clients and recordings grow.") { growthCounts, hours, Seconds, Runs, Json };
+growth.SetAction((result, _) => Growth.RunAsync(
+    result.GetValue(growthCounts)!, result.GetValue(hours)!, result.GetValue(Seconds), result.GetValue(Runs), Open(result)));
+
+var raw = new Option<FileInfo>("--raw") { Description = "bench-raw of tests/native.", Required = true };
+var peers = new Command("peers", "The same stream through a receive loop in C, a client as tutorials write it, and the library.") { raw, Frames, Runs, Writes, rates, Seconds, Json };
+peers.SetAction((result, _) => new Clients(result.GetValue(raw)!, result.GetValue(Runs), Open(result))
+    .RunAsync(result.GetValue(Frames), result.GetValue(Writes)!, result.GetValue(rates)!, result.GetValue(Seconds)));
+
+var page = new Option<FileInfo?>("--page") { Description = "performance.md." };
+var checkRuns = new Option<int>("--runs") { Description = "Runs of the floor and of each way.", DefaultValueFactory = _ => 3 };
+var check = new Command("check", "Fails if a frame costs three times as much as the page says, in ratios of processor time.") { page, checkRuns, Json };
+check.SetAction((result, _) => Check.RunAsync(result.GetValue(checkRuns), result.GetValue(page), Open(result)));
+
+var results = new Option<DirectoryInfo>("--results") { Description = "The folder that measure.sh wrote.", Required = true };
+var update = new Command("page", "Writes results into performance.md, and its curves beside it.") { results, page };
+update.SetAction(result => PageUpdate.Run(result.GetValue(results)!, result.GetValue(page)!));
+
+var starts = new Option<DirectoryInfo>("--programs") { Description = "Where the programs are that publish-starts.sh made.", Required = true };
+var start = new Command("start", "From the start of a process to its first frame, and to the program's first picture.") { starts, Runs, Json };
+start.SetAction((result, _) => new Start(result.GetValue(starts)!, result.GetValue(Runs), Open(result)).RunAsync());
 
 var micro = new Command("micro", "The steps of the receive path one by one, by BenchmarkDotNet.");
 micro.SetAction(_ => { BenchmarkRunner.Run<ReceivePathBenchmarks>(ReceivePathBenchmarks.Config); });
@@ -64,6 +103,24 @@ native.SetAction((result, _) => new Native(result.GetValue(programs)!, result.Ge
     .RunAsync(result.GetValue(Frames), result.GetValue(nativeWrites)!, result.GetValue(rates)!, result.GetValue(Seconds)));
 
 var port = new Option<int>("--port") { Required = true };
+var floodUdp = new Command("floodudp", "The senders of udp, in their own process.") { Hidden = true };
+floodUdp.Add(port);
+floodUdp.Add(Connections);
+floodUdp.Add(Frames);
+floodUdp.SetAction(result => DatagramSenders.Run(result.GetValue(port), result.GetValue(Connections), result.GetValue(Frames)));
+
+var receiver = new Argument<string>("way");
+var receiverMode = new Argument<string>("mode");
+var receiverPort = new Argument<int>("port");
+var receiverFrames = new Argument<int>("frames");
+var receive = new Command("receive", "A client of peers, in its own process.") { Hidden = true };
+receive.Add(receiver);
+receive.Add(receiverMode);
+receive.Add(receiverPort);
+receive.Add(receiverFrames);
+receive.SetAction((result, _) => ManagedReceiver.RunAsync(
+    result.GetValue(receiver)!, result.GetValue(receiverMode)!, result.GetValue(receiverPort), result.GetValue(receiverFrames)));
+
 var idler = new Option<bool>("--idler");
 var sinks = new Command("sinks", "The clients of broadcast, in their own process.") { Hidden = true };
 sinks.Add(port);
@@ -73,7 +130,7 @@ sinks.SetAction(result => Sinks.Run(result.GetValue(port), result.GetValue(Conne
 
 RootCommand root = Root(
     Throughput(), latency, streams, avatars, consumers, broadcast, relay, decode, bvh, kinematics, messages, retarget, recording, playback, Window(), native, micro,
-    Flood(), Pace(), sinks);
+    udp, start, idle, growth, peers, check, update, Flood(), Pace(), floodUdp, receive, sinks, silent);
 #if PIPES
 var connections = new Option<int>("--connections") { Description = "Connections of the paced case.", DefaultValueFactory = _ => 100 };
 var pipe = new Command("pipe", "Streams and pipes as sources, against the connection itself.") { Frames, Runs, Writes, connections, Seconds, Json };

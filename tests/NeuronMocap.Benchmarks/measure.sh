@@ -1,34 +1,108 @@
 #!/usr/bin/env bash
-# Measures the tables of docs/internals/performance.md again: all for net8.0 and netstandard2.1; throughput and windows for netstandard2.0, on .NET and on
-# Mono. Prints them, and writes every figure as JSON to a folder: the first argument, or "results". Takes about 30 minutes. During this time, the machine
-# should do nothing else.
+# Measures the tables of docs/internals/performance.md, and the curves beside it.
+#   measure.sh [FOLDER]            all of them, in about an hour. Prints them, and writes every figure as JSON to the folder, by default "results". During
+#                                  this time, the machine should do nothing else.
+#   measure.sh --only NAMES …      only these, such as --only "throughput udp".
+#   measure.sh --update …          then writes the tables into the page. A table that was not measured stays as it is.
+#   measure.sh --smoke …           short runs that only show whether everything works; their figures mean nothing. Not with --update.
+#   measure.sh --check             compares a few ratios of processor time with the page's, in seconds. Fails if one is three times as large.
 set -euo pipefail
-out=$(realpath -m "${1:-results}")
+folder=results only= update= smoke= check=
+while [ $# -gt 0 ]; do
+    case $1 in
+        --only) only=" $2 "; shift ;;
+        --update) update=1 ;;
+        --smoke) smoke=1 ;;
+        --check) check=1 ;;
+        -*) echo "Unknown option $1." >&2; exit 2 ;;
+        *) folder=$1 ;;
+    esac
+    shift
+done
+[ -z "$smoke$update" ] || [ -z "$smoke" ] || [ -z "$update" ] || { echo "The figures of --smoke mean nothing, so --update refuses them." >&2; exit 2; }
+
+out=$(realpath -m "$folder")
 cd "$(dirname "$0")"
+page=$(realpath ../../docs/internals/performance.md)
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
+
+build() { [ -d "$scratch/$2" ] || dotnet build -c Release -v quiet -p:LibraryFramework="$1" -o "$scratch/$2" "${@:3}" > "$scratch/log" || { cat "$scratch/log"; exit 1; }; }
+
+if [ -n "$check" ]; then
+    build net8.0 net8.0
+    dotnet "$scratch/net8.0/NeuronMocap.Benchmarks.dll" check --page "$page"
+    exit
+fi
+
 mkdir -p "$out"
+wanted() { [ -z "$only" ] || [[ $only == *" $1 "* ]]; }
 
-build() { dotnet build -c Release -v quiet -p:LibraryFramework="$1" -o "$scratch/$2" "${@:3}"; }
+# short COMMAND: the options of a smoke run.
+short() {
+    case $1 in
+        throughput | pipe) echo "--runs 1 --frames 20000 --writes 32" ;;
+        latency | relay | native) echo "--runs 1 --rates 120 --seconds 1" ;;
+        streams) echo "--runs 1 --counts 10 --seconds 1" ;;
+        broadcast) echo "--runs 1 --clients 2 --seconds 1" ;;
+        window | web) echo "--runs 1 --seconds 1" ;;
+        bvh) echo "--runs 1 --megabytes 10" ;;
+        playback) echo "--runs 1 --seconds 2" ;;
+        udp) echo "--runs 1 --frames 20000" ;;
+        idle) echo "--runs 1 --counts 1 --settle 1 --seconds 2" ;;
+        growth) echo "--runs 1 --counts 1 10 --hours 0.1 0.2 --seconds 1" ;;
+        peers) echo "--runs 1 --frames 20000 --writes 32 --rates 120 --seconds 1" ;;
+        *) echo "--runs 1" ;;
+    esac
+}
 
-for build in net8.0 netstandard2.1; do
-    build "$build" "$build"
-    for command in bvh decode avatars consumers throughput latency streams broadcast kinematics messages retarget record window; do
-        dotnet "$scratch/$build/NeuronMocap.Benchmarks.dll" "$command" --json "$out/$build-$command.json"
+# measure BUILD COMMAND OPTIONS...: one table.
+measure() {
+    wanted "$2" || return 0
+    local run=(dotnet "$scratch/$1/NeuronMocap.Benchmarks.dll")
+    [ "$1" != mono ] || run=(mono "$scratch/mono/NeuronMocap.Benchmarks.exe")
+    # shellcheck disable=SC2046
+    "${run[@]}" "$2" $([ -z "$smoke" ] || short "$2") --json "$out/$1-$2.json" "${@:3}"
+}
+
+for framework in net8.0 netstandard2.1; do
+    build "$framework" "$framework"
+    for command in bvh decode avatars consumers throughput latency streams broadcast kinematics messages retarget record window playback; do
+        measure "$framework" "$command"
     done
 done
 
 # Only this build takes pipes, and relays on the receive thread.
-for command in pipe relay web; do
-    dotnet "$scratch/net8.0/NeuronMocap.Benchmarks.dll" "$command" --json "$out/net8.0-$command.json"
+for command in pipe relay web udp idle growth check; do
+    measure net8.0 "$command"
 done
 
 # The Unity package takes the netstandard2.1 build.
-dotnet "$scratch/netstandard2.1/NeuronMocap.Benchmarks.dll" unity --json "$out/netstandard2.1-unity.json"
+measure netstandard2.1 unity
 
-build netstandard2.0 netstandard2.0
-! command -v mono > /dev/null || build netstandard2.0 mono -p:TestFramework=net472
-for command in throughput window; do
-    dotnet "$scratch/netstandard2.0/NeuronMocap.Benchmarks.dll" "$command" --json "$out/netstandard2.0-$command.json"
-    ! command -v mono > /dev/null || mono "$scratch/mono/NeuronMocap.Benchmarks.exe" "$command" --json "$out/mono-$command.json"
-done
+if wanted start; then
+    bash publish-starts.sh "$scratch/starts"
+    measure net8.0 start --programs "$scratch/starts"
+fi
+
+if wanted peers && command -v cc > /dev/null; then
+    cc -O2 -std=c99 -D_GNU_SOURCE -o "$scratch/bench-raw" ../native/bench/receiver.c ../native/bench/raw.c
+    measure net8.0 peers --raw "$scratch/bench-raw"
+fi
+
+if wanted native && command -v cmake > /dev/null; then
+    # shellcheck disable=SC2046
+    bash ../native/bench/measure.sh "$out" $([ -z "$smoke" ] || short native)
+    mv "$out/native.json" "$out/net8.0-native.json"
+fi
+
+if wanted throughput || wanted window; then
+    build netstandard2.0 netstandard2.0
+    ! command -v mono > /dev/null || build netstandard2.0 mono -p:TestFramework=net472
+    for command in throughput window; do
+        measure netstandard2.0 "$command"
+        ! command -v mono > /dev/null || measure mono "$command"
+    done
+fi
+
+[ -z "$update" ] || dotnet "$scratch/net8.0/NeuronMocap.Benchmarks.dll" page --results "$out" --page "$page"

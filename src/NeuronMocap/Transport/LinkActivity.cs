@@ -42,6 +42,12 @@ internal sealed class LinkActivity(
 
     public bool HasPackets => _hasPackets;
 
+    // Whether the stream is silent, and checks find nothing until bytes arrive.
+    public bool IsIdle => status.Current is { State: ConnectionState.Silent, Reason: ConnectionReason.NoData } && _skippedLength == 0;
+
+    // Receive loop: the first bytes outside packets have arrived, so IsIdle is false.
+    public Action Disturbed { get; set; } = static () => { };
+
     // Receive loop, between two links.
     public void Begin(string target)
     {
@@ -127,6 +133,8 @@ internal sealed class LinkActivity(
         bytes = bytes[..Math.Min(bytes.Length, _skipped.Length - length)];
         bytes.CopyTo(_skipped.AsSpan(length));
         _skippedLength = length + bytes.Length;
+        if (length == 0)
+            Disturbed();
     }
 
     // Receive loop, after the link. If a server sent something else and then closed, the reason is more than the end of the connection.

@@ -16,7 +16,7 @@ internal static class Alternation
                 await MeasureAsync(ways[way], run, results[way]);
         }
 
-        List<Row> rows = [];
+        List<Row> rows = [.. floors[0].Keys.Select(figure => Row.OfFloor(@case, floor.Name, figure, Pick(floors, figure)))];
         for (int way = 0; way < ways.Count; way++)
         {
             foreach (string figure in results[way][0].Keys)

@@ -6,6 +6,9 @@ using System.Text.Json;
 
 namespace NeuronMocap.Benchmarks.Harness;
 
+// What a command measured, and where.
+internal sealed record Results(string Command, string Build, int Processors, string Processor, string System, string Runtime, IReadOnlyList<Row> Rows);
+
 // Prints rows as a Markdown table as they arrive, and writes all of them as JSON at the end.
 internal sealed class Report(string command, FileInfo? json)
 {
@@ -38,6 +41,9 @@ internal sealed class Report(string command, FileInfo? json)
         foreach (Row row in rows)
         {
             _rows.Add(row);
+            if (row.IsFloor)
+                continue;
+
             string ratio = row.Ratio is { } spread ? $"{Text(spread.Median)} ({Text(spread.Low)} to {Text(spread.High)})" : string.Empty;
             string met = row.IsMet switch { true => "met", false => "missed", null => string.Empty };
             string floor = row.Floor is { } value ? Text(value) : string.Empty;
@@ -51,21 +57,17 @@ internal sealed class Report(string command, FileInfo? json)
         if (json is null)
             return 0;
 
-        var document = new
-        {
-            command,
-            build = Build,
-            processors = Environment.ProcessorCount,
-            processor = Processor(),
-            system = RuntimeInformation.OSDescription,
-            runtime = RuntimeInformation.FrameworkDescription,
-            rows = _rows,
-        };
-        File.WriteAllText(json.FullName, JsonSerializer.Serialize(document, Indented));
+        var results = new Results(
+            command, Build, Environment.ProcessorCount, Processor(), RuntimeInformation.OSDescription, RuntimeInformation.FrameworkDescription, _rows);
+        File.WriteAllText(json.FullName, JsonSerializer.Serialize(results, Indented));
         return 0;
     }
 
-    private static string Text(double value) => Math.Abs(value) switch
+    public static Results Read(string path) => JsonSerializer.Deserialize<Results>(File.ReadAllText(path), Indented)!;
+
+    public IReadOnlyList<Row> Rows => _rows;
+
+    public static string Text(double value) => Math.Abs(value) switch
     {
         0 => "0",
         >= 1000 => value.ToString("#,##0", CultureInfo.InvariantCulture),

@@ -14,7 +14,7 @@ namespace NeuronMocap.Benchmarks.Macro;
 internal static class Broadcast
 {
     private const double Rate = 120;
-    private const string Cost = "CPU µs/frame and client";
+    public const string Cost = "CPU µs/frame and client";
     private const string Speed = "frames/s";
 
     private static readonly Aim[] Aims = [new(Cost, 1 / 0.9, IsRatio: true), new(Speed, 0.9, IsRatio: true, IsLowerBound: true), new("lost", 0)];
@@ -39,20 +39,22 @@ internal static class Broadcast
         return report.End();
     }
 
-    private static async Task<Figures> PacedAsync(int count, double seconds, bool withIdler)
+    public static async Task<Figures> PacedAsync(int count, double seconds, bool withIdler)
     {
         using Broadcaster server = CreateServer(Rate, (long)(Rate * seconds));
         server.Start();
         return await MeasureAsync(server.LocalEndPoint!.Port, count, withIdler, (long)(Rate * seconds), () => server.Completion);
     }
 
-    private static async Task<Figures> FloodAsync(int count, int frames)
+    public static async Task<Figures> FloodAsync(int count, int frames)
     {
         using Broadcaster server = CreateServer(BroadcasterOptions.MaxFrameRate, frames);
         server.Start();
+        TimeSpan cpu = Environment.CpuUsage.TotalTime;
         using Peer sinks = await StartSinksAsync(server.LocalEndPoint!.Port, count, withIdler: false);
         (long received, double elapsed) = await ReadResultAsync(sinks);
-        return new Figures { [Speed] = received * count / elapsed, ["lost"] = frames - received };
+        cpu = Environment.CpuUsage.TotalTime - cpu;
+        return new Figures { [Speed] = received * count / elapsed, [Check.Cpu] = cpu.TotalNanoseconds / ((double)received * count), ["lost"] = frames - received };
     }
 
     private static Broadcaster CreateServer(double rate, long frames) => new(new BroadcasterOptions
@@ -83,11 +85,12 @@ internal static class Broadcast
         return await MeasureAsync(((IPEndPoint)listener.LocalEndpoint).Port, count, withIdler: false, frames, () => serving);
     }
 
-    private static async Task<Figures> RawFloodAsync(int count, int frames)
+    public static async Task<Figures> RawFloodAsync(int count, int frames)
     {
         using var listener = Listen(count);
         const int PerWrite = 88;
         byte[] block = new byte[PerWrite * TestFrame.Size];
+        TimeSpan cpu = Environment.CpuUsage.TotalTime;
         Task serving = ServeAsync(listener, count, socket =>
         {
             for (int sent = 0; sent < frames; sent += PerWrite)
@@ -95,8 +98,9 @@ internal static class Broadcast
         });
         using Peer sinks = await StartSinksAsync(((IPEndPoint)listener.LocalEndpoint).Port, count, withIdler: false);
         (long received, double elapsed) = await ReadResultAsync(sinks);
+        cpu = Environment.CpuUsage.TotalTime - cpu;
         await serving;
-        return new Figures { [Speed] = received * count / elapsed };
+        return new Figures { [Speed] = received * count / elapsed, [Check.Cpu] = cpu.TotalNanoseconds / ((double)received * count) };
     }
 
     private static async Task<Figures> MeasureAsync(int port, int count, bool withIdler, long frames, Func<Task> completion)

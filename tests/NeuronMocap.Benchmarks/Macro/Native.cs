@@ -24,6 +24,9 @@ internal sealed class Native(DirectoryInfo programs, int runs, Report report)
         new("allocations", 0),
     ];
 
+    // Starts a receiver: mode, port, frames.
+    public delegate NativeReceiver Starter(string mode, int port, long frames);
+
     private readonly FileInfo _raw = new(Path.Combine(programs.FullName, "bench-raw"));
     private readonly FileInfo _library = new(Path.Combine(programs.FullName, "bench-library"));
 
@@ -32,13 +35,13 @@ internal sealed class Native(DirectoryInfo programs, int runs, Report report)
         report.Begin($"{frames} frames of {TestFrame.Size} bytes over loopback TCP to the C library's callback, {runs} runs; the floor is a blocking receive in C.");
         foreach (int perWrite in writes)
         {
-            await CompareAsync($"{perWrite} frames/write", program => FloodAsync(program, "throughput", perWrite, frames));
-            await CompareAsync($"{perWrite} frames/write, values read", program => FloodAsync(program, "check", perWrite, frames), aims: Aims[1..]);
+            await CompareAsync($"{perWrite} frames/write", program => FloodAsync(From(program), "throughput", perWrite, frames));
+            await CompareAsync($"{perWrite} frames/write, values read", program => FloodAsync(From(program), "check", perWrite, frames), aims: Aims[1..]);
         }
 
         foreach (double rate in rates)
         {
-            await CompareAsync($"{rate} Hz", program => PaceAsync(program, rate, seconds), addsTo: Median);
+            await CompareAsync($"{rate} Hz", program => PaceAsync(From(program), rate, seconds), addsTo: Median);
             await CompareAsync($"{rate} Hz, UDP", program => PaceDatagramsAsync(program, rate, seconds), addsTo: Median);
         }
 
@@ -66,11 +69,13 @@ internal sealed class Native(DirectoryInfo programs, int runs, Report report)
         report.Add(await Alternation.RunAsync(@case, runs, raw, [library], aims ?? Aims));
     }
 
+    private static Starter From(FileInfo program) => (mode, port, frames) => NativeReceiver.Start(program, mode, port, frames);
+
     // In checked mode, the receiver adds up all words of the stream, as the sender does.
-    private static async Task<Figures> FloodAsync(FileInfo program, string mode, int perWrite, int frames)
+    public static async Task<Figures> FloodAsync(Starter start, string mode, int perWrite, int frames)
     {
         using Peer sender = await Peer.StartAsync("flood", "--per-write", Peer.Text(perWrite), "--frames", Peer.Text(frames));
-        using NativeReceiver receiver = NativeReceiver.Start(program, mode, sender.Port, frames);
+        using NativeReceiver receiver = start(mode, sender.Port, frames);
         Dictionary<string, ulong> told = await receiver.ReadFiguresAsync();
         var figures = new Figures
         {
@@ -88,10 +93,10 @@ internal sealed class Native(DirectoryInfo programs, int runs, Report report)
         return figures;
     }
 
-    private static async Task<Figures> PaceAsync(FileInfo program, double rate, double seconds)
+    public static async Task<Figures> PaceAsync(Starter start, double rate, double seconds)
     {
         using Peer sender = await Peer.StartAsync("pace", "--connections", "1", "--rate", Peer.Text(rate), "--seconds", Peer.Text(seconds));
-        using NativeReceiver receiver = NativeReceiver.Start(program, "latency", sender.Port, (long)(rate * seconds));
+        using NativeReceiver receiver = start("latency", sender.Port, (long)(rate * seconds));
         return ToFigures(await receiver.ReadLinesAsync(), (long)(rate * seconds), isWhole: false);
     }
 

@@ -9,27 +9,24 @@ namespace NeuronMocap.Benchmarks.Macro;
 internal static class Playback
 {
     private const double FrameRate = 120;
+    private const string Most = "most µs";
+    private const string Near = "% within 0.2 ms";
+    private const string Within = "% within 1 ms";
 
-    public static async Task<int> RunAsync(double[] speeds, double seconds, Report report)
+    private static readonly Aim[] Aims = [new(Near, 99, IsLowerBound: true), new(Within, 100, IsLowerBound: true)];
+
+    public static async Task<int> RunAsync(double[] speeds, double seconds, int runs, Report report)
     {
-        report.Begin($"One avatar at {FrameRate} Hz, {seconds} s a run: microseconds from when a frame was due to its handler, at all frames but the first second's.");
+        report.Begin($"One avatar at {FrameRate} Hz, {seconds} s a run, {runs} runs: how late each frame is at its handler, without the first second's; the floor is a thread that sleeps until each instant.");
         string path = Path.Combine(Path.GetTempPath(), Path.GetRandomFileName());
         try
         {
             foreach (double speed in speeds)
             {
-                Write(path, (int)(seconds * speed * FrameRate));
-                (double[] errors, double cpu) = await PlayAsync(path, speed);
-                foreach ((string figure, double value, double? limit) in ((string, double, double?)[])
-                    [
-                        ("median µs", Spread.Percentile(errors, 0.5), null),
-                        ("p99 µs", Spread.Percentile(errors, 0.99), null),
-                        ("most µs", errors[^1], 1000),
-                        ("% of a processor", cpu * 100, null),
-                    ])
-                {
-                    report.Add([new Row($"{speed} x", "callback", figure, value, Floor: null, Ratio: null, limit is null ? null : $"at most {limit}", limit is null ? (bool?)null : value <= limit)]);
-                }
+                int frames = (int)(seconds * speed * FrameRate);
+                Write(path, frames);
+                Way[] ways = [new("callback", () => PlayAsync(path, speed))];
+                report.Add(await Alternation.RunAsync($"{speed} x", runs, new Way("sleep", () => Sleep(frames, speed)), ways, Aims));
             }
         }
         finally
@@ -53,7 +50,7 @@ internal static class Playback
         }
     }
 
-    private static async Task<(double[] Errors, double Cpu)> PlayAsync(string path, double speed)
+    private static async Task<Figures> PlayAsync(string path, double speed)
     {
         using RecordingPlayer player = RecordingPlayer.Open(path);
         player.Speed = speed;
@@ -61,16 +58,49 @@ internal static class Playback
         var errors = new List<double>();
         reader.MotionReceived += frame =>
         {
-            double error = (Stopwatch.GetTimestamp() - frame.Timestamp) * 1e6 / Stopwatch.Frequency;
+            double error = Microseconds(Stopwatch.GetTimestamp() - frame.Timestamp);
             if (frame.FrameIndex >= FrameRate * speed)
                 errors.Add(error);
         };
-        using var process = Process.GetCurrentProcess();
-        TimeSpan before = process.TotalProcessorTime;
+        TimeSpan before = RuntimeFigures.CpuTime;
         var watch = Stopwatch.StartNew();
         reader.Start();
         await reader.Completion;
-        process.Refresh();
-        return ([.. errors.Order()], (process.TotalProcessorTime - before) / watch.Elapsed);
+        return ToFigures(errors, (RuntimeFigures.CpuTime - before) / watch.Elapsed);
+    }
+
+    // What a program could do without the library, at the precision of the system's sleep.
+    private static Figures Sleep(int frames, double speed)
+    {
+        var errors = new List<double>();
+        TimeSpan before = RuntimeFigures.CpuTime;
+        long start = Stopwatch.GetTimestamp();
+        for (int frame = 0; frame < frames; frame++)
+        {
+            long due = start + (long)(frame / (FrameRate * speed) * Stopwatch.Frequency);
+            PacedSender.WaitUntil(due);
+            if (frame >= FrameRate * speed)
+                errors.Add(Microseconds(Stopwatch.GetTimestamp() - due));
+        }
+
+        return ToFigures(errors, (RuntimeFigures.CpuTime - before) / Stopwatch.GetElapsedTime(start));
+    }
+
+    private static double Microseconds(long ticks) => ticks * 1e6 / Stopwatch.Frequency;
+
+    private static Figures ToFigures(List<double> errors, double share)
+    {
+        double[] sorted = [.. errors.Order()];
+        return new Figures
+        {
+            ["median µs"] = Spread.Percentile(sorted, 0.5),
+            ["p99 µs"] = Spread.Percentile(sorted, 0.99),
+            [Most] = sorted[^1],
+            [Near] = Share(200),
+            [Within] = Share(1000),
+            ["% of a processor"] = share * 100,
+        };
+
+        double Share(double limit) => sorted.Count(error => error <= limit) * 100.0 / sorted.Length;
     }
 }

@@ -41,7 +41,7 @@ internal static class Scaling
         return report.End();
     }
 
-    private static Figures Measure(int avatars, int consumers, bool newest)
+    public static Figures Measure(int avatars, int consumers, bool newest, int frames = Frames)
     {
         ReceivePipeline pipeline = Pipelines.Create();
         FrameQueue[] queues = [.. Enumerable.Range(0, newest ? 0 : consumers).Select(_ => pipeline.OpenQueue(2 * PerPiece, "queue"))];
@@ -51,21 +51,23 @@ internal static class Scaling
         byte[][] packets = [.. Enumerable.Range(0, avatars).Select(TestFrame.Create)];
         long taken = 0;
         Action<NeuronMocap.MotionFrame> take = _ => taken++;
-        Run(Frames / 10);
+        Run(frames / 10);
         taken = 0;
+        TimeSpan cpu = RuntimeFigures.CpuTime;
         long start = Stopwatch.GetTimestamp();
-        Run(Frames);
+        Run(frames);
         double nanoseconds = Stopwatch.GetElapsedTime(start).TotalNanoseconds;
-        if (!newest && taken != (long)Frames * consumers)
-            throw new InvalidOperationException($"{taken} of {(long)Frames * consumers} frames were taken.");
+        cpu = RuntimeFigures.CpuTime - cpu;
+        if (!newest && taken != (long)frames * consumers)
+            throw new InvalidOperationException($"{taken} of {(long)frames * consumers} frames were taken.");
 
-        return new Figures { ["ns/frame"] = nanoseconds / Frames / consumers };
+        return new Figures { ["ns/frame"] = nanoseconds / frames / consumers, [Check.Cpu] = cpu.TotalNanoseconds / frames / consumers };
 
-        void Run(int frames)
+        void Run(int count)
         {
             uint index = 0;
             int avatar = 0;
-            for (int done = 0; done < frames; done += PerPiece)
+            for (int done = 0; done < count; done += PerPiece)
             {
                 for (int i = 0; i < PerPiece; i++)
                 {

@@ -7,7 +7,7 @@ namespace NeuronMocap.Benchmarks.Macro;
 // Many servers at an ordinary rate, each with its own reader, all in this process. The floor is one of them.
 internal static class Streams
 {
-    private const string Cost = "CPU µs/frame";
+    public const string Cost = "CPU µs/frame";
     private const double Rate = 60;
 
     private static readonly Aim[] Aims = [new(Cost, 1, IsRatio: true), new("cores", 1), new("lost", 0), new("managed KiB/connection", 64), new("threads", 64)];
@@ -24,7 +24,7 @@ internal static class Streams
         return report.End();
     }
 
-    private static async Task<Figures> MeasureAsync(int connections, double seconds)
+    public static async Task<Figures> MeasureAsync(int connections, double seconds)
     {
         long memoryBefore = LiveHeap();
         using Peer sender = await Peer.StartAsync(

@@ -42,7 +42,7 @@ internal static class Throughput
     private static Task<Peer> StartSenderAsync(int perWrite, int frames) =>
         Peer.StartAsync("flood", "--per-write", Peer.Text(perWrite), "--frames", Peer.Text(frames));
 
-    private static async Task<Figures> FloorAsync(int perWrite, int frames)
+    public static async Task<Figures> FloorAsync(int perWrite, int frames)
     {
         using Peer sender = await StartSenderAsync(perWrite, frames);
         using Socket socket = RawReceiver.Connect(sender.Port);
@@ -61,7 +61,7 @@ internal static class Throughput
         };
     }
 
-    private static async Task<Figures> CallbackAsync(int perWrite, int frames)
+    public static async Task<Figures> CallbackAsync(int perWrite, int frames)
     {
         using Peer sender = await StartSenderAsync(perWrite, frames);
         await using NeuronReader reader = CreateReader(sender);
@@ -82,7 +82,7 @@ internal static class Throughput
         return ToFigures(reader, cpu, frames, counted, allocated / (double)frames);
     }
 
-    private static async Task<Figures> QueueAsync(int perWrite, int frames)
+    public static async Task<Figures> QueueAsync(int perWrite, int frames)
     {
         using Peer sender = await StartSenderAsync(perWrite, frames);
         await using NeuronReader reader = CreateReader(sender);

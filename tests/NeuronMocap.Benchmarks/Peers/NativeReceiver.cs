@@ -3,16 +3,18 @@ using System.Globalization;
 
 namespace NeuronMocap.Benchmarks.Peers;
 
-// A receiver of tests/native/bench: the library's, or the floor. It prints figures as name and number, or only delays.
+// A receiver of tests/native/bench, the library's or the floor, or ManagedReceiver. It prints figures as name and number, or only delays.
 internal sealed class NativeReceiver : IDisposable
 {
     private readonly Process _process;
 
     private NativeReceiver(Process process) => _process = process;
 
-    public static NativeReceiver Start(FileInfo program, string mode, int port, long frames)
+    public static NativeReceiver Start(FileInfo program, string mode, int port, long frames) => Start(program.FullName, [mode, Peer.Text(port), Peer.Text(frames)]);
+
+    public static NativeReceiver Start(string program, params string[] arguments)
     {
-        var start = new ProcessStartInfo(program.FullName, [mode, Peer.Text(port), Peer.Text(frames)]) { RedirectStandardOutput = true, UseShellExecute = false };
+        var start = new ProcessStartInfo(program, arguments) { RedirectStandardOutput = true, UseShellExecute = false };
         return new NativeReceiver(Process.Start(start) ?? throw new InvalidOperationException("The receiver did not start."));
     }
 

@@ -22,6 +22,7 @@ internal sealed class Peer : IDisposable
         string program = $"\"{typeof(Peer).Assembly.Location}\" {string.Join(" ", arguments)}";
         ProcessStartInfo start = RuntimeFigures.IsMono ? new("mono", program) : new("dotnet", $"exec {program}");
         start.RedirectStandardOutput = true;
+        start.RedirectStandardInput = true;
         start.UseShellExecute = false;
         Process process = Process.Start(start) ?? throw new InvalidOperationException("The peer did not start.");
         string port = await process.StandardOutput.ReadLineAsync() ?? throw new InvalidOperationException("The peer has no port.");
@@ -29,6 +30,9 @@ internal sealed class Peer : IDisposable
     }
 
     public async Task<string> ReadLineAsync() => await _process.StandardOutput.ReadLineAsync() ?? throw new InvalidOperationException("The peer ended.");
+
+    // Tells a peer that runs until then to end.
+    public void CloseInput() => _process.StandardInput.Close();
 
     public void Dispose()
     {

@@ -1,0 +1,80 @@
+using System.Globalization;
+using System.Text;
+using System.Text.RegularExpressions;
+using NeuronMocap.Benchmarks.Harness;
+
+namespace NeuronMocap.Benchmarks.Page;
+
+// The tables of performance.md. They are between a comment "measured: RESULTS + RESULTS | FIGURE | …" and the comment "end". RESULTS is a file of measure.sh
+// without its ending, which has a table of its own, and each figure has a column.
+internal static partial class PageTables
+{
+    public const string GrowthPicture = "growth.svg";
+
+    private const string Times = " ×";
+
+    // Replaces the tables whose results are in the folder. The others stay.
+    public static string Update(string page, Func<string, Results?> read) => Block().Replace(page, match =>
+    {
+        string[] parts = Split(match.Groups["what"].Value, '|');
+        Results[] results = [.. Split(parts[0], '+').Select(read).OfType<Results>()];
+        return results.Length == 0 ? match.Value : $"{match.Groups["begin"].Value}\n{string.Join('\n', results.Select(one => Render(one, parts[1..])))}{match.Groups["end"].Value}";
+    });
+
+    // The medians of the ratios of a table.
+    public static IReadOnlyDictionary<(string Case, string Way, string Figure), double> ReadRatios(string page, string name)
+    {
+        Dictionary<(string, string, string), double> ratios = [];
+        Match block = Block().Matches(page).FirstOrDefault(match => Split(match.Groups["what"].Value, '|')[0] == name)
+            ?? throw new InvalidOperationException($"The page has no table {name}.");
+        string[][] lines = [.. block.Groups["table"].Value.Split('\n').Where(static line => line.StartsWith('|')).Select(static line => Cells(line))];
+        string @case = string.Empty;
+        foreach (string[] cells in lines.Skip(2))
+        {
+            @case = cells[0].Length > 0 ? cells[0] : @case;
+            for (int i = 2; i < cells.Length; i++)
+            {
+                if (cells[i].IndexOf(Times, StringComparison.Ordinal) is > 0 and var end)
+                    ratios[(@case, cells[1], lines[0][i])] = double.Parse(cells[i][..end], NumberStyles.Number, CultureInfo.InvariantCulture);
+            }
+        }
+
+        return ratios;
+    }
+
+    internal static string Render(Results results, IReadOnlyList<string> figures)
+    {
+        var text = new StringBuilder();
+        text.Append(CultureInfo.InvariantCulture, $"`{results.Command}`, {results.Build}, {results.Runtime}, {results.Processors} × {results.Processor}, {results.System}:\n\n");
+        text.Append(CultureInfo.InvariantCulture, $"| | | {string.Join(" | ", figures)} |\n|---|---|{string.Concat(Enumerable.Repeat("---|", figures.Count))}\n");
+        string last = string.Empty;
+        foreach (IGrouping<(string Case, string Way), Row> line in results.Rows.GroupBy(static row => (row.Case, row.Way)))
+        {
+            string[] cells = [.. figures.Select(figure => line.FirstOrDefault(row => row.Figure == figure) is { } row ? Cell(row) : string.Empty)];
+            if (Array.TrueForAll(cells, static cell => cell.Length == 0))
+                continue;
+
+            text.Append(CultureInfo.InvariantCulture, $"| {(line.Key.Case == last ? string.Empty : line.Key.Case)} | {line.Key.Way} | {string.Join(" | ", cells)} |\n");
+            last = line.Key.Case;
+        }
+
+        if (results.Command == "growth")
+            text.Append(CultureInfo.InvariantCulture, $"\n![Cost of a frame as the number grows]({GrowthPicture})\n");
+
+        return text.ToString();
+    }
+
+    // Figures that are read as they are, although the floor has them, too.
+    private static bool IsPlain(string figure) => figure.Contains('%') || figure.Contains("B/", StringComparison.Ordinal) || figure is "cores" or "threads" or "lost" or "wake-ups/s";
+
+    private static string Cell(Row row) => row.Ratio is { } ratio && !IsPlain(row.Figure)
+        ? $"{Report.Text(ratio.Median)}{Times} ({Report.Text(ratio.Low)} to {Report.Text(ratio.High)})"
+        : row.Values is { } values && values.Low != values.High ? $"{Report.Text(row.Value)} ({Report.Text(values.Low)} to {Report.Text(values.High)})" : Report.Text(row.Value);
+
+    private static string[] Cells(string line) => Split(line.Trim()[1..^1], '|');
+
+    private static string[] Split(string text, char separator) => [.. text.Split(separator).Select(static part => part.Trim())];
+
+    [GeneratedRegex("(?<begin><!-- measured: (?<what>[^>]*?) -->)\n(?<table>.*?)(?<end><!-- end -->)", RegexOptions.Singleline | RegexOptions.ExplicitCapture, 1000)]
+    private static partial Regex Block();
+}
