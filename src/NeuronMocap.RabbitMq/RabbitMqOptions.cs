@@ -44,6 +44,15 @@ public abstract class RabbitMqOptions
     /// </summary>
     public string Stage { get; set; } = DefaultStage;
 
+    /// <summary>
+    /// Name of a stream that keeps every frame on the broker's disk; null, the default, for live frames only. Publisher and source name the same stream.
+    /// </summary>
+    /// <remarks>
+    /// The publisher declares the stream and binds it to the stage. The broker then confirms each frame, and the publisher sends unconfirmed frames again
+    /// after a failure. After a failure, a source continues behind the last frame that it has received.
+    /// </remarks>
+    public string? Stream { get; set; }
+
     /// <summary>Longest time to connect and log in: 0.1 s to 5 minutes. The default is 5 s.</summary>
     public TimeSpan ConnectTimeout { get; set; } = TimeSpan.FromSeconds(5);
 
@@ -52,6 +61,8 @@ public abstract class RabbitMqOptions
     public override string ToString() => AmqpAddress.Format(this);
 
     internal abstract IEnumerable<(string Name, string? Value)> Parameters { get; }
+
+    private protected string? OtherExchange => string.Equals(Exchange, DefaultExchange, StringComparison.Ordinal) ? null : Exchange;
 
     internal virtual string? FindFault()
     {
@@ -67,9 +78,30 @@ public abstract class RabbitMqOptions
             return $"Exchange must have 1 to {AmqpName.MaxBytes} bytes.";
         if (RabbitMqRoutingKey.FindFaultOfStage(Stage) is { } stage)
             return stage;
+        if (Stream is not null && (string.IsNullOrWhiteSpace(Stream) || !AmqpName.Fits(Stream)))
+            return $"Stream must have 1 to {AmqpName.MaxBytes} bytes, or be null.";
 
         return ConnectTimeout >= TimeSpan.FromSeconds(0.1) && ConnectTimeout <= TimeSpan.FromMinutes(5)
             ? null
             : $"ConnectTimeout is {ConnectTimeout}; it must be 0.1 s to 5 minutes.";
+    }
+
+    // Takes a part of an address. Returns false if its name is unknown.
+    internal virtual bool TrySet(string name, string value)
+    {
+        switch (name)
+        {
+            case "stage":
+                Stage = value;
+                return true;
+            case "stream":
+                Stream = value;
+                return true;
+            case "exchange":
+                Exchange = value;
+                return true;
+            default:
+                return false;
+        }
     }
 }

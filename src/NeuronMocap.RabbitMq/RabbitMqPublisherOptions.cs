@@ -11,12 +11,6 @@ public sealed class RabbitMqPublisherOptions : RabbitMqOptions
     private const int MaxCapacity = 1 << 20;
 
     /// <summary>
-    /// Name of a stream that keeps every frame on the broker's disk; null for live frames only. The stream is declared and bound to the stage. The broker
-    /// then confirms each frame, and the publisher sends unconfirmed frames again after a failure.
-    /// </summary>
-    public string? Stream { get; set; }
-
-    /// <summary>
     /// Largest size of the stream in bytes; the broker then removes its oldest part. Null, the default, for no limit. A stream that exists keeps its limit,
     /// and other values fail. A motion packet with displacement needs about 1.7 KB.
     /// </summary>
@@ -37,7 +31,7 @@ public sealed class RabbitMqPublisherOptions : RabbitMqOptions
     public TimeSpan CloseTimeout { get; set; } = TimeSpan.FromSeconds(5);
 
     internal override IEnumerable<(string Name, string? Value)> Parameters =>
-        [("stage", Stage), ("stream", Stream), ("exchange", string.Equals(Exchange, DefaultExchange, StringComparison.Ordinal) ? null : Exchange)];
+        [("stage", Stage), ("stream", Stream), ("exchange", OtherExchange)];
 
     /// <summary>Makes options from the address of a broker.</summary>
     /// <param name="address">
@@ -65,8 +59,6 @@ public sealed class RabbitMqPublisherOptions : RabbitMqOptions
     {
         if (base.FindFault() is { } fault)
             return fault;
-        if (Stream is not null && (string.IsNullOrWhiteSpace(Stream) || !AmqpName.Fits(Stream)))
-            return $"Stream must have 1 to {AmqpName.MaxBytes} bytes, or be null.";
         if (StreamMaxBytes is <= 0)
             return "StreamMaxBytes must be more than 0, or null.";
         if (StreamMaxBytes is not null && Stream is null)
@@ -77,23 +69,5 @@ public sealed class RabbitMqPublisherOptions : RabbitMqOptions
             return $"CloseTimeout is {CloseTimeout}; it must be 0 to 5 minutes.";
 
         return Reconnect.FindFault();
-    }
-
-    private bool TrySet(string name, string value)
-    {
-        switch (name)
-        {
-            case "stage":
-                Stage = value;
-                return true;
-            case "stream":
-                Stream = value;
-                return true;
-            case "exchange":
-                Exchange = value;
-                return true;
-            default:
-                return false;
-        }
     }
 }

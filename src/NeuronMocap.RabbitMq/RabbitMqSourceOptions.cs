@@ -16,12 +16,6 @@ public sealed class RabbitMqSourceOptions : RabbitMqOptions
     public PacketKind? Kind { get; set; }
 
     /// <summary>
-    /// Name of the stream to read; null, the default, to receive live frames. A publisher with the same <see cref="RabbitMqPublisherOptions.Stream"/>
-    /// creates the stream. After a failure, the source continues behind the last frame that it has received.
-    /// </summary>
-    public string? Stream { get; set; }
-
-    /// <summary>
     /// Where to begin in the stream. The default is <see cref="RabbitMqStreamStart.First"/>: the source receives the stream from its beginning as fast as the
     /// reader takes it, and then live.
     /// </summary>
@@ -40,7 +34,7 @@ public sealed class RabbitMqSourceOptions : RabbitMqOptions
         ("kind", Kind is { } kind ? RabbitMqRoutingKey.NameOf(kind) : null),
         ("stream", Stream),
         ("from", Stream is null || From == RabbitMqStreamStart.First ? null : From.ToString()),
-        ("exchange", string.Equals(Exchange, DefaultExchange, StringComparison.Ordinal) ? null : Exchange),
+        ("exchange", OtherExchange),
     ];
 
     /// <summary>Makes options from the address of a broker.</summary>
@@ -75,19 +69,14 @@ public sealed class RabbitMqSourceOptions : RabbitMqOptions
             return fault;
         if (Kind is not (null or PacketKind.Motion or PacketKind.Calculation or PacketKind.StudioCalculation))
             return $"Kind is {Kind}; it must be Motion, Calculation, StudioCalculation or null.";
-        if (Stream is not null && (string.IsNullOrWhiteSpace(Stream) || !AmqpName.Fits(Stream)))
-            return $"Stream must have 1 to {AmqpName.MaxBytes} bytes, or be null.";
 
         return QueueCapacity is >= 1 and <= MaxCapacity ? null : $"QueueCapacity is {QueueCapacity}; it must be 1 to 1,048,576 frames.";
     }
 
-    private bool TrySet(string name, string value)
+    internal override bool TrySet(string name, string value)
     {
         switch (name)
         {
-            case "stage":
-                Stage = value;
-                return true;
             case "avatar":
                 Avatar = value;
                 return true;
@@ -96,17 +85,11 @@ public sealed class RabbitMqSourceOptions : RabbitMqOptions
                     ? kind
                     : throw new FormatException($"'{value}' is not a kind of frames. Use motion, calculation or studio-calculation.");
                 return true;
-            case "stream":
-                Stream = value;
-                return true;
             case "from":
                 From = RabbitMqStreamStart.Parse(value);
                 return true;
-            case "exchange":
-                Exchange = value;
-                return true;
             default:
-                return false;
+                return base.TrySet(name, value);
         }
     }
 }

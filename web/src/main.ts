@@ -67,7 +67,7 @@ loop.add("camera", (_, step) => {
 });
 
 const takes = createTakes(page);
-const characters = createCharacters(page);
+const characters = createCharacters(page, takes);
 const panel = new Panel(page, connection, takes, settings, views);
 let isFirstHello = true;
 connection.onMessage(message => {

@@ -39,12 +39,22 @@ internal sealed class LimitedInput : IDisposable
 
     public void Dispose() => _end.Dispose();
 
-    private async ValueTask<int> ReadAsync(Stream stream, Memory<byte> buffer)
+    // A read of the WebSocket has no token. Two tokens need a source that joins them.
+    private ValueTask<int> ReadAsync(Stream stream, Memory<byte> buffer, CancellationToken cancellationToken) =>
+        cancellationToken.CanBeCanceled ? ReadJoinedAsync(stream, buffer, cancellationToken) : ReadLimitedAsync(stream, buffer, _end.Token);
+
+    private async ValueTask<int> ReadJoinedAsync(Stream stream, Memory<byte> buffer, CancellationToken cancellationToken)
+    {
+        using var either = CancellationTokenSource.CreateLinkedTokenSource(_end.Token, cancellationToken);
+        return await ReadLimitedAsync(stream, buffer, either.Token).ConfigureAwait(false);
+    }
+
+    private async ValueTask<int> ReadLimitedAsync(Stream stream, Memory<byte> buffer, CancellationToken cancellationToken)
     {
         if (_bytes > MostBytes)
-            await Task.Delay(Timeout.Infinite, _end.Token).ConfigureAwait(false);
+            await Task.Delay(Timeout.Infinite, cancellationToken).ConfigureAwait(false);
 
-        int count = await stream.ReadAsync(buffer, _end.Token).ConfigureAwait(false);
+        int count = await stream.ReadAsync(buffer, cancellationToken).ConfigureAwait(false);
         if (Stopwatch.GetElapsedTime(_second) > TimeSpan.FromSeconds(1))
             (_second, _bytes) = (Stopwatch.GetTimestamp(), 0);
 
@@ -91,7 +101,7 @@ internal sealed class LimitedInput : IDisposable
             set => throw new NotSupportedException();
         }
 
-        public override ValueTask<int> ReadAsync(Memory<byte> buffer, CancellationToken cancellationToken = default) => input.ReadAsync(inner, buffer);
+        public override ValueTask<int> ReadAsync(Memory<byte> buffer, CancellationToken cancellationToken = default) => input.ReadAsync(inner, buffer, cancellationToken);
 
         public override ValueTask WriteAsync(ReadOnlyMemory<byte> buffer, CancellationToken cancellationToken = default) => inner.WriteAsync(buffer, cancellationToken);
 

@@ -1,39 +1,16 @@
 using System.IO.Pipelines;
 using NeuronMocap.RabbitMq.Connecting;
+using NeuronMocap.Transport;
 
 namespace NeuronMocap.RabbitMq.Consuming;
 
 // The bytes of one connection. After the last one, a read throws the reason of the end: a pipe that fails would discard what it still holds.
-internal sealed partial class PacketStream(BrokerConnection connection, PacketConsumer consumer, PipeReader reader, Action closed) : Stream
+internal sealed partial class PacketStream(BrokerConnection connection, PacketConsumer consumer, PipeReader reader, Action closed) : ReadOnlyStream
 {
     private readonly Stream _bytes = reader.AsStream();
     private int _isClosed;
 
-    public override bool CanRead => true;
-
-    public override bool CanSeek => false;
-
-    public override bool CanWrite => false;
-
-    public override long Length => throw new NotSupportedException();
-
-    public override long Position
-    {
-        get => throw new NotSupportedException();
-        set => throw new NotSupportedException();
-    }
-
     public override int Read(byte[] buffer, int offset, int count) => Check(_bytes.Read(buffer, offset, count), count);
-
-    public override void Flush()
-    {
-    }
-
-    public override long Seek(long offset, SeekOrigin origin) => throw new NotSupportedException();
-
-    public override void SetLength(long value) => throw new NotSupportedException();
-
-    public override void Write(byte[] buffer, int offset, int count) => throw new NotSupportedException();
 
     // Returns at once: the connection closes in the background, so that a broker that hangs does not delay the reader.
     protected override void Dispose(bool disposing)

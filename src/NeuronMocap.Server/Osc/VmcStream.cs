@@ -1,29 +1,16 @@
 using System.Net.Sockets;
+using NeuronMocap.Transport;
 
 namespace NeuronMocap.Server.Osc;
 
 /// <summary>The motion packets that a decoder makes of the datagrams of a socket. Reads block.</summary>
-internal sealed class VmcStream(Socket socket, VmcDecoder decoder, Action<long> addRejected) : Stream
+internal sealed class VmcStream(Socket socket, VmcDecoder decoder, Action<long> addRejected) : ReadOnlyStream
 {
     // Not every runtime ends a blocking receive when its socket closes.
     private const int PollMicroseconds = 100_000;
 
     private readonly byte[] _datagram = new byte[65_536];
     private volatile bool _isClosed;
-
-    public override bool CanRead => true;
-
-    public override bool CanSeek => false;
-
-    public override bool CanWrite => false;
-
-    public override long Length => throw new NotSupportedException();
-
-    public override long Position
-    {
-        get => throw new NotSupportedException();
-        set => throw new NotSupportedException();
-    }
 
     public override int Read(byte[] buffer, int offset, int count)
     {
@@ -35,16 +22,6 @@ internal sealed class VmcStream(Socket socket, VmcDecoder decoder, Action<long> 
 
         return decoder.Read(buffer.AsSpan(offset, count));
     }
-
-    public override void Flush()
-    {
-    }
-
-    public override long Seek(long offset, SeekOrigin origin) => throw new NotSupportedException();
-
-    public override void SetLength(long value) => throw new NotSupportedException();
-
-    public override void Write(byte[] buffer, int offset, int count) => throw new NotSupportedException();
 
     protected override void Dispose(bool disposing)
     {

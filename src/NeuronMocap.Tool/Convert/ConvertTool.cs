@@ -37,6 +37,8 @@ internal sealed class ConvertTool(FileSettings settings, StandardStreams streams
         bool isStream = from is FileKind.Recording or FileKind.Raw;
         if (to == FileKind.Calculation && settings.OutputOrder is not null)
             throw new NeuronException("--output-order: a calculation export holds no angles.");
+        if (to == FileKind.Csv && settings.OutputOrder is not null)
+            throw new NeuronException("--output-order: a table holds quaternions, which have no order.");
 
         switch (to)
         {
@@ -62,6 +64,8 @@ internal sealed class ConvertTool(FileSettings settings, StandardStreams streams
             case FileKind.Calculation when isStream && settings.FrameRate is null
                 && CalculationRows.TryWrite(settings, _range, path, _summary, progress, cancellationToken):
                 break;
+            case FileKind.Csv when isStream && settings.FrameRate is null && StreamTable.TryWrite(settings, _range, path, _summary, progress, cancellationToken):
+                break;
             default:
                 WriteTake(from, to, path, progress, cancellationToken);
                 break;
@@ -83,6 +87,9 @@ internal sealed class ConvertTool(FileSettings settings, StandardStreams streams
                 using (FileStream file = File.Create(path))
                     CalculationOutput.Write(motion, file, progress, cancellationToken);
                 _summary.AddLoss("the bones' rotations and lengths (an export holds sensors and centres)");
+                break;
+            case FileKind.Csv:
+                TakeTable.Write(settings, take, motion, path, progress, cancellationToken);
                 break;
             default:
                 using (IPacketSink sink = OpenSink(to, path, take with { Order = order }))
@@ -174,6 +181,6 @@ internal sealed class ConvertTool(FileSettings settings, StandardStreams streams
         string? version = typeof(ConvertTool).Assembly.GetCustomAttribute<AssemblyInformationalVersionAttribute>()?.InformationalVersion;
         return RecordingMetadata.Empty
             .With(RecordingMetadata.ProgramKey, $"neuron-mocap {version}")
-            .With(RecordingMetadata.ServerKey, $"the file {Path.GetFileName(settings.Input)}");
+            .With(RecordingMetadata.ServerKey, $"the file {settings.InputName ?? Path.GetFileName(settings.Input)}");
     }
 }

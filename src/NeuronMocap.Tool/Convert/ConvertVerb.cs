@@ -11,7 +11,8 @@ internal sealed class ConvertVerb : Verb
 {
     private const double LowestRate = 0.01;
     private const double HighestRate = 10_000;
-    private const string Kinds = ".bvh, .nmrec (recording), .calc (calculation export), .bin or .dat (the bytes of the stream), .glb (glTF: a figure with its animation)";
+    private const string Kinds = ".bvh, .nmrec (recording), .calc (calculation export), .bin or .dat (the bytes of the stream), "
+        + ".glb (glTF: a figure with its animation), .csv (table)";
 
     private readonly TakeArguments _take = new("OUT", $"The file to write. Its name says what it becomes: {Kinds}.");
 
@@ -26,6 +27,7 @@ internal sealed class ConvertVerb : Verb
     private readonly Option<RotationOrder?> _outputOrder = CommonOptions.Order("--output-order", "Rotation order to write. Default: that of IN.");
 
     private readonly GlbArguments _glb = new();
+    private readonly TableArguments _table = new();
 
     public ConvertVerb()
         : base("convert", "Write a file as another kind of file, or a part of it. A line on standard error says what the new file holds and what it lacks.")
@@ -33,7 +35,7 @@ internal sealed class ConvertVerb : Verb
         foreach (Argument file in _take.Files)
             Add(file);
 
-        AddOptions("Options", [.. _take.Options, _resample, _outputOrder, .. _glb.Options]);
+        AddOptions("Options", [.. _take.Options, _resample, _outputOrder, .. _glb.Options, .. _table.Options]);
         Validators.Add(Reject);
     }
 
@@ -43,6 +45,7 @@ internal sealed class ConvertVerb : Verb
         new("convert a.bvh b.bvh --from 2 --to 5", "a part of a take"),
         new("convert a.bvh b.bvh --resample 60 --output-order XYZ", "another frame rate and another rotation order"),
         new("convert take.nmrec take.glb --key-error 0.2", "all avatars with figures for Blender, Unreal, Unity or Godot, with fewer keys"),
+        new("convert take.nmrec take.csv --up z", "positions and quaternions of all bones for pandas, R or a robot, in metres and Z up"),
         new("convert dump.bin take.bvh --rate 60", "the raw bytes of a stream, at 60 frames per second"),
     ];
 
@@ -55,6 +58,8 @@ internal sealed class ConvertVerb : Verb
             FrameRate = result.GetValue(_resample),
             OutputOrder = result.GetValue(_outputOrder),
             KeyError = _glb.ReadKeyError(result),
+            UpAxis = _table.ReadUpAxis(result),
+            Unit = _table.ReadUnit(result),
         };
         return new ConvertTool(settings, streams).RunAsync(cancellationToken);
     }
@@ -65,5 +70,6 @@ internal sealed class ConvertVerb : Verb
         _glb.RejectForOthers(result, _take.FindOutput(result));
         if (_take.FindOutput(result) is { } output && FileKinds.OfName(output) is null)
             result.AddError($"the name '{output}' does not say what to write. Known are {Kinds}.");
+        _table.RejectForOthers(result, _take.FindOutput(result));
     }
 }

@@ -61,6 +61,6 @@ internal static class TakeWarnings
 
         StreamWarnings.AddRest(
             summary, settings, frame => frame is MotionFrame { HasSkeleton: true } && frame.AvatarIndex == source.AvatarIndex, cancellationToken);
-        summary.AddLoss("times of arrival, and the avatar's name and number");
+        summary.AddLoss(FileKinds.OfName(settings.Output!) == FileKind.Csv ? "times of arrival" : "times of arrival, and the avatar's name and number");
     }
 }

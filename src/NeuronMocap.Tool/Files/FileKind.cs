@@ -16,6 +16,9 @@ internal enum FileKind
 
     /// <summary>Figures with their animations, which are only written.</summary>
     Glb,
+
+    /// <summary>A table of poses, which is only written.</summary>
+    Csv,
 }
 
 /// <summary>Determines the kind of a file: for reading by its contents, for writing by its name.</summary>
@@ -24,7 +27,7 @@ internal static class FileKinds
     private const int LookedAt = 64 * 1024;
 
     /// <summary>The extensions of files that the program reads and writes, in lower case.</summary>
-    public static IReadOnlyList<string> Extensions { get; } = [".bvh", ".nmrec", ".calc", ".bin", ".dat", ".glb"];
+    public static IReadOnlyList<string> Extensions { get; } = [".bvh", ".nmrec", ".calc", ".bin", ".dat", ".glb", ".csv"];
 
     private static readonly string[] BvhWords = ["HIERARCHY", "MOTION", "CHANNELS"];
 
@@ -57,6 +60,7 @@ internal static class FileKinds
         ".calc" => FileKind.Calculation,
         ".bin" or ".dat" => FileKind.Raw,
         ".glb" => FileKind.Glb,
+        ".csv" => FileKind.Csv,
         _ => null,
     };
 

@@ -1,4 +1,5 @@
 using NeuronMocap.Calculation;
+using NeuronMocap.Csv;
 using NeuronMocap.Recording;
 using NeuronMocap.Tool.Terminal;
 
@@ -9,6 +10,9 @@ namespace NeuronMocap.Tool.Files;
 /// <param name="Output">The file to write; null if none is written.</param>
 internal sealed record FileSettings(string Input, string? Output)
 {
+    /// <summary>Name of the input for people, if it differs from that of the file; otherwise null.</summary>
+    public string? InputName { get; init; }
+
     /// <summary>Whether an existing output may be replaced.</summary>
     public bool Overwrite { get; init; }
 
@@ -26,6 +30,12 @@ internal sealed record FileSettings(string Input, string? Output)
 
     /// <summary>Angle by which rotations of a GLB file may differ from the frames, in degrees; null for 0.</summary>
     public double? KeyError { get; init; }
+
+    /// <summary>Axes of a table; null for Y up.</summary>
+    public UpAxis? UpAxis { get; init; }
+
+    /// <summary>Unit of the positions in a table; null for metres.</summary>
+    public LengthUnit? Unit { get; init; }
 
     /// <summary>Frame rate of an input without times, raw bytes or a calculation export. Null for the rate that it states, or 120.</summary>
     public double? InputRate { get; init; }

@@ -6,6 +6,7 @@ using NeuronMocap.Tool.Simulate;
 using NeuronMocap.Tool.Terminal;
 using NeuronMocap.Tool.View.Access;
 using NeuronMocap.Tool.View.Actions;
+using NeuronMocap.Tool.View.Characters;
 using NeuronMocap.Tool.View.Control;
 using NeuronMocap.Tool.View.Figures;
 using NeuronMocap.Tool.View.Live;
@@ -47,9 +48,10 @@ internal sealed class ViewRun(ViewOptions options, StandardStreams streams)
         using ScratchFolder scratch = CreateScratch();
         string? take = null;
         await using var hub = new ControlHub(() => [Hello("take", take, canCommand: false, performers: [])]);
-        await using ITakeLibrary takes = CreateTakes(scratch, hub) ?? throw ApiException.BadRequest($"'{file}': takes cannot be opened yet.");
+        await using ITakeLibrary takes = CreateTakes(scratch, hub);
+        await using var characters = new CharacterLibrary(live: null, takes);
         take = await takes.OpenAsync(file, cancellationToken);
-        await ServeAsync([hub, takes], cancellationToken);
+        await ServeAsync([hub, takes, characters], cancellationToken);
         return ToolCommand.Done;
     }
 
@@ -63,8 +65,9 @@ internal sealed class ViewRun(ViewOptions options, StandardStreams streams)
         LiveSession? live = null;
         RecordingControl? recording = null;
         await using var hub = new ControlHub(() => [Hello("live", take: null, commands is not null, live!.Introduce()), .. live.Greet(), recording!.Describe()]);
-        await using ITakeLibrary? takes = CreateTakes(scratch, hub);
+        await using ITakeLibrary takes = CreateTakes(scratch, hub);
         await using (live = new LiveSession(reader, options.Source.ToString(), hub))
+        await using (var characters = new CharacterLibrary(live, takes))
         await using (recording = new RecordingControl(reader, options.RecordFolder ?? string.Empty, hub, takes))
         {
             live.Ticked += recording.Report;
@@ -74,7 +77,8 @@ internal sealed class ViewRun(ViewOptions options, StandardStreams streams)
                 new DiagnosisAction(options.Source, readerOptions, () => LiveDiagnosis.Of(live.Describe())),
                 new ZeroOutAction(commands, options.Connection.LocalAddress),
                 new FigureFiles(live.Performers.Find),
-                .. takes is null ? Array.Empty<IViewPart>() : [takes],
+                takes,
+                characters,
             ];
             reader.Start();
             await ServeAsync(parts, cancellationToken);
@@ -91,8 +95,7 @@ internal sealed class ViewRun(ViewOptions options, StandardStreams streams)
 
     private ScratchFolder CreateScratch() => new(UploadsThatFit * options.UploadMegabytes * BodyLimit.Megabyte);
 
-    // The branch of takes creates its library here.
-    private static ITakeLibrary? CreateTakes(ScratchFolder scratch, ControlHub hub) => null;
+    private ITakeLibrary CreateTakes(ScratchFolder scratch, ControlHub hub) => new TakeService(scratch, hub, options.UploadMegabytes);
 
     private async Task ServeAsync(IReadOnlyList<IViewPart> parts, CancellationToken cancellationToken)
     {

@@ -3,22 +3,8 @@ using System.Net.WebSockets;
 namespace NeuronMocap.Transport;
 
 // The bytes of all messages of a WebSocket, one after the other. Disposing it ends a pending read.
-internal sealed partial class WebSocketStream(WebSocket socket, string name) : Stream
+internal sealed partial class WebSocketStream(WebSocket socket, string name) : ReadOnlyStream
 {
-    public override bool CanRead => true;
-
-    public override bool CanSeek => false;
-
-    public override bool CanWrite => false;
-
-    public override long Length => throw new NotSupportedException();
-
-    public override long Position
-    {
-        get => throw new NotSupportedException();
-        set => throw new NotSupportedException();
-    }
-
     // The thread belongs to the reader, and a WebSocket has no blocking read.
     public override int Read(byte[] buffer, int offset, int count) => ReadAsync(buffer, offset, count, CancellationToken.None).GetAwaiter().GetResult();
 
@@ -33,16 +19,6 @@ internal sealed partial class WebSocketStream(WebSocket socket, string name) : S
                 return result.Count;
         }
     }
-
-    public override void Flush()
-    {
-    }
-
-    public override long Seek(long offset, SeekOrigin origin) => throw new NotSupportedException();
-
-    public override void SetLength(long value) => throw new NotSupportedException();
-
-    public override void Write(byte[] buffer, int offset, int count) => throw new NotSupportedException();
 
     protected override void Dispose(bool disposing)
     {

@@ -26,6 +26,7 @@ public sealed class DependencyTests
         ["Files"] = [],
         ["Files/Bvh"] = ["Files", "Frames", "Protocol", "Protocol/Text", "Skeleton", "Timing"],
         ["Files/Calculation"] = ["Files", "Frames", "Protocol", "Protocol/Text", "Skeleton"],
+        ["Files/Csv"] = ["Files", "Protocol", "Protocol/Text", "Skeleton"],
         ["Files/Recording"] = ["Files", "Protocol", "Skeleton", "Transport"],
         ["Files/Gltf"] = ["Figures", "Files", "Motion", "Skeleton"],
         ["Files/Playback"] = ["Delivery", "Files/Recording", "Frames", "Protocol", "Skeleton", "Transport"],

@@ -34,10 +34,11 @@ public sealed class ToolDependencyTests
         ["View/Figures"] = ["View/Performers", "View/Web"],
         ["View/Live"] = ["Output", "View/Control", "View/Performers", "View/Web", "Watch/Live"],
         ["View/Takes"] = ["View/Web"],
+        ["View/Characters"] = ["View/Live", "View/Performers", "View/Takes", "View/Web"],
         ["View/Actions"] = ["Arguments", "Output", "Terminal", "View/Control", "View/Live", "View/Takes", "View/Web", "Watch/Recordings"],
         ["View"] =
         [
-            "Arguments", "Listening", "Simulate", "Terminal", "View/Access", "View/Actions", "View/Control", "View/Figures", "View/Live", "View/Performers",
+            "Arguments", "Listening", "Simulate", "Terminal", "View/Access", "View/Actions", "View/Characters", "View/Control", "View/Figures", "View/Live", "View/Performers",
             "View/Takes", "View/Web",
         ],
         ["Play"] = ["Arguments", "Terminal", "Watch", "Watch/Export", "Watch/Playback"],

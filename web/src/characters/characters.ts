@@ -1,6 +1,26 @@
-import type { Characters, Page } from "../page/page";
+import type { Characters, Page, Takes } from "../page/page";
+import { Cast } from "./cast";
+import { CharacterEndings, findCharacter } from "./files";
+import { CharacterSection } from "./section";
 
 /** Characters dropped on the page, and how they move. */
-export function createCharacters(_page: Page): Characters {
-  return { joints: () => ({}) };
+export function createCharacters(page: Page, takes: Takes): Characters {
+  const cast: Cast = new Cast(page, takes, () => section.show(cast.all, cast.loading));
+  const section = new CharacterSection(page.slots.characters, page.performers, {
+    follow: (character, performer) => cast.follow(character, performer),
+    setBeside: (character, beside) => cast.setBeside(character, beside),
+    remove: character => cast.remove(character),
+    choose: () => page.drops.choose(CharacterEndings),
+  });
+  section.show([], []);
+  page.drops.add({
+    what: "characters (VRM, GLB, glTF)",
+    endings: CharacterEndings,
+    accepts: files => findCharacter(files) !== null,
+    take: files => void page.notices.attempt(() => cast.add(findCharacter(files)!)),
+  });
+  return {
+    joints: id => cast.all.find(character => `${character.bones?.id}` === id)?.joints() ?? {},
+    list: () => cast.all.map(({ name, performer, bones, isShown, place }) => ({ id: `${bones?.id}`, name, performer, isShown, place })),
+  };
 }

@@ -49,12 +49,12 @@ export class Drops {
       this._say(`${files[0].name} is not a file that this page shows. It shows ${this._takers.map(each => each.what).join(" and ")}.`);
   }
 
-  /** Shows the browser's dialog. */
-  choose(): void {
+  /** Shows the browser's dialog. Without endings, it shows all files that the page takes. */
+  choose(endings: readonly string[] = this._takers.flatMap(taker => taker.endings)): void {
     const input = document.createElement("input");
     input.type = "file";
     input.multiple = true;
-    input.accept = this._takers.flatMap(taker => taker.endings).join(",");
+    input.accept = endings.join(",");
     input.addEventListener("change", () => this.open([...input.files ?? []]));
     input.click();
   }

@@ -44,4 +44,16 @@ export interface Takes {
 export interface Characters {
   /** Positions of a character's humanoid bones in the world, for tests of the page. */
   joints(id: string): Record<string, [number, number, number]>;
+  /** The characters on the stage, for tests of the page. */
+  list(): readonly CharacterInfo[];
+}
+
+export interface CharacterInfo {
+  readonly id: string;
+  readonly name: string;
+  readonly performer: string;
+  /** False before the first pose. */
+  readonly isShown: boolean;
+  /** 0 in the place of the performer, otherwise beside it. */
+  readonly place: number;
 }

@@ -15,6 +15,7 @@ export function installTestHook(page: Page, connection: Connection, panel: Panel
       title: panel.situation.title,
       advice: panel.situation.advice,
       performers: [...page.performers.all].map(each => ({ key: each.info.key, name: each.info.name, poses: each.poses, hasFigure: each.hasFigure })),
+      characters: characters.list(),
       settings: page.settings.now,
     }),
     joints(key: string): Record<string, Point> {

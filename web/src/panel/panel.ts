@@ -14,6 +14,9 @@ import { StreamSection } from "./streamSection";
 import { createToolbar } from "./toolbar";
 import { ZeroOut } from "./zeroOut";
 
+// The program shows a file: there is no stream.
+const OfFile: Situation = { tone: "good", title: "Take", text: "", advice: "", needsWords: false };
+
 /** All that is not the picture: bars, panel, and the messages of states. */
 export class Panel {
   readonly hud: Hud;
@@ -64,7 +67,10 @@ export class Panel {
 
   update(): void {
     const { _page: page, _connection: connection } = this;
-    this.situation = describe(connection.state, connection.refusal, this.status, page.performers.count);
+    const isFile = connection.hello?.mode === "take";
+    this.situation = isFile && connection.state === "open" ? OfFile : describe(connection.state, connection.refusal, this.status, page.performers.count);
+    page.slots.stream.hidden = isFile;
+    document.body.classList.toggle("without-stream", isFile);
     this._header.show(this.situation, connection.hello?.source ?? "");
     this._stream.show(this.situation, this.status, connection.state === "open" ? this.hud.delay : NaN);
     this._performers.show(this.status);

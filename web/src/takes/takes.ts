@@ -1,10 +1,249 @@
 import type { Page, Takes } from "../page/page";
+import type { TakeContacts, TakeInfo } from "./info";
+import { Playback } from "./playback";
+import { PlotSection } from "./plotSection";
+import { TakePlayer } from "./takePlayer";
+import { TakeSection } from "./takeSection";
+import { Timeline } from "./timeline";
+import { TimeView } from "./timeView";
+import { Transport } from "./transport";
+
+const Endings = [".bvh", ".nmrec", ".calc", ".bin", ".dat"];
+const AskAgain = 500;
+const ReadoutEvery = 66;
 
 /** Recordings on the page: dropped files, the time line, and plots under it. */
-export function createTakes(_page: Page): Takes {
-  return {
-    current: null,
-    async open() {},
-    close() {},
-  };
+export function createTakes(page: Page): Takes {
+  return new TakeScreen(page);
+}
+
+class TakeScreen implements Takes {
+  private readonly _page: Page;
+  private readonly _playback = new Playback();
+  private readonly _view = new TimeView();
+  private readonly _timeline = new Timeline(this._playback, this._view);
+  private readonly _plot: PlotSection;
+  private readonly _section: TakeSection;
+  private readonly _transport: Transport;
+  private _current: string | null = null;
+  private _player: TakePlayer | null = null;
+  private _contacts: readonly (TakeContacts | null)[] = [];
+  private _removeKeys: (() => void) | null = null;
+  private _readoutAt = 0;
+  private _wasPlaying = false;
+
+  constructor(page: Page) {
+    this._page = page;
+    this._plot = new PlotSection(page.api, this._view, error => page.notices.problem(error.message));
+    this._plot.element.hidden = matchMedia("(max-width: 40rem), (max-height: 36rem)").matches;
+    this._section = new TakeSection(page, () => this.close());
+    this._transport = new Transport(this._playback, {
+      step: direction => this._step(direction),
+      seek: time => this._seek(time),
+      togglePlot: () => this._togglePlot(),
+      showAll: () => this._view.showAll(),
+    });
+    this._transport.setPlot(!this._plot.element.hidden);
+    this._playback.onChange = () => {
+      this._transport.refresh();
+      this._timeline.draw();
+    };
+    for (const target of [this._timeline, this._plot.plot]) {
+      target.onSeek = time => this._scrub(time);
+      target.onSeekEnd = () => this._endScrub();
+    }
+
+    this._timeline.element.addEventListener("keydown", event => this._onSliderKey(event));
+    new MutationObserver(() => this._redraw()).observe(document.documentElement, { attributeFilter: ["data-theme"] });
+    page.loop.add("motion", (now, step) => this._onPicture(now, step));
+    page.drops.add({
+      what: "takes (BVH, .nmrec, .calc)",
+      endings: Endings,
+      accepts: files => files.some(file => Endings.some(ending => file.name.toLowerCase().endsWith(ending))),
+      take: files => void this._upload(files.find(file => Endings.some(ending => file.name.toLowerCase().endsWith(ending)))!),
+    });
+  }
+
+  get current(): string | null {
+    return this._current;
+  }
+
+  async open(id: string): Promise<void> {
+    const info = await this._page.api.get<TakeInfo>(`takes/${encodeURIComponent(id)}`);
+    this._leave();
+    this._current = id;
+    this._page.feed.pause();
+    this._page.performers.clear();
+    this._playback.time = 0;
+    this._playback.clearPart();
+    const player = this._player = new TakePlayer(this._page, this._playback, id);
+    this._page.slots.timeline.replaceChildren(this._transport.element, this._timeline.element, this._plot.element);
+    this._removeKeys = this._transport.addKeys(this._page.keys);
+    await this._show(info, player);
+    if (this._player === player && info.performers.some(performer => performer.frames > 1) && !matchMedia("(prefers-reduced-motion: reduce)").matches)
+      this._playback.toggle();
+    void this._watch(player, info);
+  }
+
+  close(): void {
+    if (this._current === null)
+      return;
+
+    this._leave();
+    this._page.performers.clear();
+    this._page.feed.resume();
+    this._page.loop.invalidate();
+  }
+
+  private _leave(): void {
+    this._current = null;
+    this._player?.dispose();
+    this._player = null;
+    this._contacts = [];
+    this._removeKeys?.();
+    this._removeKeys = null;
+    this._playback.pause();
+    this._playback.duration = 0;
+    this._view.setDuration(0);
+    this._plot.close();
+    this._section.clear();
+    this._page.slots.timeline.replaceChildren();
+  }
+
+  private async _upload(file: File): Promise<void> {
+    this._page.notices.say(`Opening ${file.name} …`);
+    await this._page.notices.attempt(async () => {
+      const answer = await this._page.api.send(`takes?name=${encodeURIComponent(file.name)}`, { method: "POST", body: file });
+      await this.open((await answer.json() as { id: string }).id);
+    });
+  }
+
+  // Asks again while the server reads the file.
+  private async _watch(player: TakePlayer, info: TakeInfo): Promise<void> {
+    let known = info;
+    while (known.progress < 1) {
+      await new Promise(resolve => setTimeout(resolve, AskAgain));
+      if (this._player !== player)
+        return;
+
+      try {
+        known = await this._page.api.get<TakeInfo>(`takes/${encodeURIComponent(info.id)}`);
+      } catch (error) {
+        this._page.notices.problem((error as Error).message);
+        return;
+      }
+
+      if (this._player === player)
+        await this._show(known, player);
+    }
+  }
+
+  private async _show(info: TakeInfo, player: TakePlayer): Promise<void> {
+    const started = this._playback.duration > 0;
+    this._playback.duration = info.duration;
+    this._view.setDuration(info.duration);
+    this._section.show(info);
+    this._transport.refresh();
+    this._drawLanes(info);
+    await player.update(info);
+    this._contacts = await player.loadContacts();
+    if (this._player !== player)
+      return;
+
+    // Recordings begin before their first frame.
+    if (!started && info.performers.length > 0)
+      this._seek(Math.min(...info.performers.map(performer => performer.start)));
+    this._drawLanes(info);
+    this._plot.show(info);
+  }
+
+  private _drawLanes(info: TakeInfo): void {
+    this._timeline.show(info.performers.map((performer, i) => ({
+      name: performer.name,
+      colour: performer.colour,
+      start: performer.start,
+      end: performer.end,
+      gaps: performer.gaps,
+      contacts: this._contacts[i] ?? null,
+    })));
+    this._timeline.element.setAttribute("aria-valuemax", (info.duration / 1000).toFixed(3));
+  }
+
+  // Waits for frames rather than skipping them.
+  private _onPicture(now: number, step: number): void {
+    const player = this._player;
+    if (!player)
+      return;
+
+    if (this._playback.playing && player.isReady(this._playback.time, 1)) {
+      this._playback.advance(step);
+      if (this._playback.time > this._view.to && !this._view.isWhole)
+        this._view.reveal(this._playback.time);
+    }
+
+    if (!player.show())
+      return;
+
+    this._timeline.setCursor(this._playback.time);
+    this._plot.plot.setCursor(this._playback.time);
+    if (now - this._readoutAt > ReadoutEvery || !this._playback.playing)
+      this._readOut(now, player);
+  }
+
+  private _readOut(now: number, player: TakePlayer): void {
+    this._readoutAt = now;
+    this._transport.showTime(this._playback.time, player.frame, player.frames, player.isGap);
+    const slider = this._timeline.element;
+    slider.setAttribute("aria-valuenow", (this._playback.time / 1000).toFixed(3));
+    slider.setAttribute("aria-valuetext", `${(this._playback.time / 1000).toFixed(2)} seconds`);
+  }
+
+  private _seek(time: number): void {
+    this._playback.seek(time);
+    this._view.reveal(this._playback.time);
+  }
+
+  private _step(direction: number): void {
+    this._playback.pause();
+    const time = this._player?.timeOfStep(direction);
+    if (time !== null && time !== undefined)
+      this._seek(time);
+  }
+
+  private _scrub(time: number): void {
+    this._wasPlaying ||= this._playback.playing;
+    this._playback.pause();
+    this._playback.seek(time);
+  }
+
+  private _endScrub(): void {
+    if (this._wasPlaying && this._player)
+      this._playback.toggle();
+    this._wasPlaying = false;
+  }
+
+  private _togglePlot(): void {
+    this._plot.element.hidden = !this._plot.element.hidden;
+    this._transport.setPlot(!this._plot.element.hidden);
+    requestAnimationFrame(() => this._plot.refresh());
+  }
+
+  private _onSliderKey(event: KeyboardEvent): void {
+    const step = event.key === "ArrowLeft" || event.key === "ArrowDown" ? -1 : event.key === "ArrowRight" || event.key === "ArrowUp" ? 1 : 0;
+    if (step === 0 || event.ctrlKey || event.altKey || event.metaKey)
+      return;
+
+    event.preventDefault();
+    event.stopPropagation();
+    if (event.shiftKey)
+      this._seek(this._playback.time + step * 1000);
+    else
+      this._step(step);
+  }
+
+  // The colours are those of the theme.
+  private _redraw(): void {
+    this._timeline.draw();
+    this._plot.plot.draw();
+  }
 }

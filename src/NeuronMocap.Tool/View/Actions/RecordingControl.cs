@@ -8,6 +8,7 @@ using NeuronMocap.Tool.View.Control;
 using NeuronMocap.Tool.View.Takes;
 using NeuronMocap.Tool.View.Web;
 using NeuronMocap.Tool.Watch.Recordings;
+using Take = NeuronMocap.Tool.Watch.Recordings.Take;
 
 namespace NeuronMocap.Tool.View.Actions;
 
@@ -91,7 +92,7 @@ internal sealed class RecordingControl : IViewPart
 
     private async Task<RecordingMessage> StopAsync(CancellationToken cancellationToken)
     {
-        Take take;
+        Watch.Recordings.Take take;
         Task closed;
         lock (_lock)
         {

@@ -9,4 +9,7 @@ internal interface ITakeLibrary : IViewPart
     /// <returns>The id of the take.</returns>
     /// <exception cref="ApiException">The file cannot be opened. The message is one sentence without its path.</exception>
     Task<string> OpenAsync(string path, CancellationToken cancellationToken);
+
+    /// <summary>Finds the performer with a key; null if no open take has it.</summary>
+    TakePerformer? FindPerformer(string key);
 }

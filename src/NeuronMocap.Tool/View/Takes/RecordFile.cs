@@ -1,0 +1,80 @@
+using Microsoft.Win32.SafeHandles;
+
+namespace NeuronMocap.Tool.View.Takes;
+
+/// <summary>Records of one size in a temporary file: one thread appends, any thread reads at any place. The file goes when it is closed.</summary>
+/// <remarks>The memory does not depend on the number of records. The system's file cache makes reading fast.</remarks>
+internal sealed class RecordFile : IDisposable
+{
+    private const int BufferSize = 64 * 1024;
+
+    private readonly SafeFileHandle _file;
+    private readonly byte[] _buffer;
+    private int _used;
+    private long _written;
+    private long _count;
+
+    /// <summary>Creates an empty file.</summary>
+    /// <param name="folder">An existing folder.</param>
+    /// <param name="recordSize">Bytes in a record.</param>
+    /// <exception cref="IOException">The file cannot be created.</exception>
+    public RecordFile(string folder, int recordSize)
+    {
+        RecordSize = recordSize;
+        _buffer = new byte[Math.Max(recordSize, BufferSize / recordSize * recordSize)];
+        _file = File.OpenHandle(
+            Path.Combine(folder, Path.GetRandomFileName()), FileMode.CreateNew, FileAccess.ReadWrite, FileShare.Read | FileShare.Delete, FileOptions.DeleteOnClose);
+    }
+
+    public int RecordSize { get; }
+
+    /// <summary>Number of records that can be read.</summary>
+    public long Count => Volatile.Read(ref _count);
+
+    /// <summary>Appends a record, which can be read after the next <see cref="Flush"/>, or once enough others follow.</summary>
+    /// <exception cref="IOException">The disk is full or fails.</exception>
+    public void Append(ReadOnlySpan<byte> record)
+    {
+        record[..RecordSize].CopyTo(_buffer.AsSpan(_used));
+        _used += RecordSize;
+        if (_used == _buffer.Length)
+            Flush();
+    }
+
+    /// <summary>Makes all records readable.</summary>
+    public void Flush()
+    {
+        if (_used == 0)
+            return;
+
+        RandomAccess.Write(_file, _buffer.AsSpan(0, _used), _written);
+        _written += _used;
+        _used = 0;
+        Volatile.Write(ref _count, _written / RecordSize);
+    }
+
+    /// <summary>Reads records. Thread-safe.</summary>
+    /// <param name="first">Number of the first record.</param>
+    /// <param name="destination">Room for any number of records.</param>
+    /// <returns>The number of records read; fewer than there is room for at the end of the file.</returns>
+    /// <exception cref="ObjectDisposedException">The file is closed.</exception>
+    public int Read(long first, Span<byte> destination)
+    {
+        int wanted = (int)Math.Clamp(Count - first, 0, destination.Length / RecordSize);
+        Span<byte> rest = destination[..(wanted * RecordSize)];
+        long offset = first * RecordSize;
+        while (!rest.IsEmpty)
+        {
+            int count = RandomAccess.Read(_file, rest, offset);
+            if (count == 0)
+                throw new IOException("A temporary file of the take was cut off.");
+
+            rest = rest[count..];
+            offset += count;
+        }
+
+        return wanted;
+    }
+
+    public void Dispose() => _file.Dispose();
+}

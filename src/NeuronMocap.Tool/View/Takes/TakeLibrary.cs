@@ -1,0 +1,104 @@
+using System.Globalization;
+using NeuronMocap.Tool.Files;
+using NeuronMocap.Tool.View.Web;
+
+namespace NeuronMocap.Tool.View.Takes;
+
+/// <summary>The takes that are open. Thread-safe.</summary>
+/// <param name="scratch">The folder for uploads and temporary files.</param>
+internal sealed class TakeLibrary(ScratchFolder scratch) : IDisposable
+{
+    /// <summary>Number of takes that can be open. To open another one closes the one that was used longest ago.</summary>
+    public const int MostTakes = 8;
+
+    private readonly Lock _lock = new();
+    private readonly List<Take> _takes = [];
+    private int _number;
+    private bool _isDisposed;
+
+    /// <summary>Opens a file as a take. Its kind is determined by its contents. The file is read on another thread.</summary>
+    /// <param name="path">The file.</param>
+    /// <param name="name">Its name for people.</param>
+    /// <param name="isUpload">Whether the file is deleted with the take.</param>
+    /// <returns>The take, whose first frames can be read soon.</returns>
+    /// <exception cref="NeuronException">The file is not a take. The message is a sentence that says why.</exception>
+    /// <exception cref="IOException">The file cannot be read. The message is a sentence.</exception>
+    public Take Open(string path, string name, bool isUpload = false)
+    {
+        FileKind kind = Recognize(path, name);
+        Take take;
+        Take? oldest;
+        lock (_lock)
+        {
+            ObjectDisposedException.ThrowIf(_isDisposed, this);
+            take = new Take(string.Create(CultureInfo.InvariantCulture, $"t{++_number}"), name, path, kind) { IsUpload = isUpload };
+            _takes.Add(take);
+            oldest = _takes.Count > MostTakes ? _takes[0] : null;
+            if (oldest is not null)
+                _takes.RemoveAt(0);
+        }
+
+        Close(oldest);
+        var reading = new TakeReading(take, scratch.Path);
+        take.Start(reading.Run);
+        return take;
+    }
+
+    /// <summary>Finds a take; null if it is not open.</summary>
+    public Take? Find(string id)
+    {
+        lock (_lock)
+        {
+            int place = _takes.FindIndex(take => take.Id == id);
+            if (place < 0)
+                return null;
+
+            Take take = _takes[place];
+            _takes.RemoveAt(place);
+            _takes.Add(take);
+            return take;
+        }
+    }
+
+    /// <summary>Finds the performer with a key; null if no open take has it.</summary>
+    public TakePerformer? FindPerformer(string key)
+    {
+        lock (_lock)
+            return _takes.Select(take => take.Find(key)).FirstOrDefault(static performer => performer is not null);
+    }
+
+    /// <summary>Closes all takes.</summary>
+    public void Dispose()
+    {
+        Take[] takes;
+        lock (_lock)
+        {
+            _isDisposed = true;
+            takes = [.. _takes];
+            _takes.Clear();
+        }
+
+        Array.ForEach(takes, Close);
+    }
+
+    private static FileKind Recognize(string path, string name)
+    {
+        try
+        {
+            FileKind kind = FileKinds.Recognize(path);
+            return kind == FileKind.Bvh && BvhTakeFile.FindFault(path) is { } fault ? throw new NeuronException(fault) : kind;
+        }
+        catch (Exception exception) when (exception is NeuronException or IOException or UnauthorizedAccessException)
+        {
+            // The path of an upload means nothing to people.
+            throw new NeuronException(FileFault.OfReading(exception, path).Replace(path, name, StringComparison.Ordinal), exception);
+        }
+    }
+
+    private void Close(Take? take)
+    {
+        take?.Dispose();
+        if (take is { IsUpload: true })
+            scratch.Delete(take.Path);
+    }
+}

@@ -1,0 +1,111 @@
+using NeuronMocap.Protocol;
+using NeuronMocap.Skeleton;
+using NeuronMocap.Tool.Files;
+
+namespace NeuronMocap.Tool.View.Takes;
+
+/// <summary>Reads the file of a take once, from start to end, into its performers. Its thread is the only one that adds to the take.</summary>
+/// <param name="take">The take.</param>
+/// <param name="folder">The folder for temporary files.</param>
+internal sealed class TakeReading(Take take, string folder)
+{
+    private static readonly TimeSpan FlushInterval = TimeSpan.FromMilliseconds(200);
+
+    private readonly List<PerformerWriter> _writers = [];
+    private long _flushed = Environment.TickCount64;
+
+    /// <summary>Reads the whole file. Faults become problems of the take.</summary>
+    public void Run()
+    {
+        try
+        {
+            Read();
+        }
+        catch (OperationCanceledException)
+        {
+            return;
+        }
+        catch (ObjectDisposedException) when (take.Closed.IsCancellationRequested)
+        {
+            return;
+        }
+        catch (Exception exception) when (exception is NeuronException or IOException or UnauthorizedAccessException or OutOfMemoryException)
+        {
+            take.AddProblem(FileFault.OfReading(exception, take.Name));
+        }
+
+        Complete();
+    }
+
+    /// <summary>Adds a performer.</summary>
+    public PerformerWriter Open(AvatarName name, int avatarIndex, SkeletonBody body)
+    {
+        var writer = new PerformerWriter(folder, $"{take.Id}-{_writers.Count}", _writers.Count, name, avatarIndex, body);
+        take.Add(writer.Performer);
+        _writers.Add(writer);
+        return writer;
+    }
+
+    /// <summary>Reports progress, and now and then makes what was read visible.</summary>
+    /// <exception cref="OperationCanceledException">The take was closed.</exception>
+    public void Report(double progress)
+    {
+        take.Closed.ThrowIfCancellationRequested();
+        if (Environment.TickCount64 - _flushed < FlushInterval.TotalMilliseconds)
+            return;
+
+        take.Report(progress);
+        _writers.ForEach(static writer => writer.Flush());
+        _flushed = Environment.TickCount64;
+    }
+
+    public void AddProblem(string sentence) => take.AddProblem(sentence);
+
+    private void Read()
+    {
+        switch (take.Kind)
+        {
+            case FileKind.Bvh:
+                BvhTakeFile.Read(take.Path, this);
+                break;
+            case FileKind.Calculation:
+                CalculationTakeFile.Read(take.Path, this);
+                break;
+            default:
+                new StreamTakeFile(take.Path, this).Read(take.Kind == FileKind.Recording);
+                break;
+        }
+    }
+
+    private void Complete()
+    {
+        try
+        {
+            foreach (PerformerWriter writer in _writers)
+            {
+                writer.Finish();
+                Describe(writer);
+            }
+
+            if (take.Problems.IsEmpty && take.Duration == TimeSpan.Zero && take.Performers.All(static performer => performer.Frames == 0))
+                take.AddProblem("The file holds no frames.");
+        }
+        catch (Exception exception) when (exception is IOException or ObjectDisposedException)
+        {
+            take.AddProblem("The temporary folder does not accept more data.");
+        }
+
+        take.Report(1);
+    }
+
+    private void Describe(PerformerWriter writer)
+    {
+        string name = _writers.Count > 1 ? $" of {writer.Performer.Name}" : "";
+        if (writer.LeftOut > 0)
+            take.AddProblem($"{Frames(writer.LeftOut)}{name} left out: values that are not numbers.");
+        if (writer.Late > 0)
+            take.AddProblem($"{Frames(writer.Late)}{name} left out: received twice, or after a later frame.");
+    }
+
+    private static string Frames(long count) => Terminal.Quantity.Format($"{count:#,0} frame{(count == 1 ? "" : "s")}");
+}

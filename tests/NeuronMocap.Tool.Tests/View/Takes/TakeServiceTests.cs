@@ -1,0 +1,171 @@
+using System.Net;
+using System.Text.Json;
+using NeuronMocap.Bvh;
+using NeuronMocap.Recording;
+using NeuronMocap.Skeleton;
+
+namespace NeuronMocap.Tool.Tests.View.Takes;
+
+public sealed class TakeServiceTests
+{
+    [Fact]
+    public async Task A_dropped_take_is_described_with_its_performers_in_metres()
+    {
+        await using TakeClient client = await TakeClient.StartAsync();
+        Files.Takes.Actor(120).Save(client.Folder["walk.bvh"]);
+
+        JsonElement info = await client.UploadAsync(client.Folder["walk.bvh"]);
+
+        Assert.Equal("walk.bvh", info.GetProperty("name").GetString());
+        Assert.Equal("bvh", info.GetProperty("kind").GetString());
+        Assert.Equal(119 / 0.06, info.GetProperty("duration").GetDouble(), 2);
+        Assert.Empty(info.GetProperty("problems").EnumerateArray());
+        JsonElement performer = Assert.Single(info.GetProperty("performers").EnumerateArray());
+        Assert.Equal("t1-0", performer.GetProperty("key").GetString());
+        Assert.Equal(120, performer.GetProperty("frames").GetInt64());
+        Assert.Equal(60, performer.GetProperty("rate").GetDouble(), 6);
+        Assert.Equal(59, performer.GetProperty("bones").GetArrayLength());
+        Assert.InRange(performer.GetProperty("bones")[1].GetProperty("offset")[1].GetDouble(), -1, 1);
+        Assert.Empty(performer.GetProperty("gaps").EnumerateArray());
+    }
+
+    [Fact]
+    public async Task Any_frames_can_be_read_and_those_behind_the_end_are_missing()
+    {
+        await using TakeClient client = await TakeClient.StartAsync();
+        Files.Takes.Actor(150).Save(client.Folder["walk.bvh"]);
+        await client.UploadAsync(client.Folder["walk.bvh"]);
+
+        List<byte[]> all = await client.GetPosesAsync("t1", "t1-0", 0, 150);
+        List<byte[]> end = await client.GetPosesAsync("t1", "t1-0", 140, 100);
+        List<byte[]> behind = await client.GetPosesAsync("t1", "t1-0", 5000, 100);
+
+        Assert.Equal(150, all.Count);
+        Assert.Equal(all[140..], end);
+        Assert.Empty(behind);
+        Assert.True(CompactPose.TryDecode(all[60], out CompactPoseHeader header, new BoneTransform[BoneHierarchy.BoneCount]));
+        Assert.Equal(TimeSpan.FromSeconds(1), header.Time - DateTimeOffset.UnixEpoch);
+        JsonElement times = await client.GetAsync("takes/t1/times");
+        Assert.Equal(64, times.GetProperty("step").GetInt32());
+        Assert.Equal([0, 64 / 0.06, 128 / 0.06], times.GetProperty("times").EnumerateArray().Select(static time => time.GetDouble()), static (a, b) => Math.Abs(a - b) < 0.01);
+    }
+
+    [Fact]
+    public async Task Contacts_and_curves_are_in_milliseconds_and_metres()
+    {
+        await using TakeClient client = await TakeClient.StartAsync();
+        Files.Takes.StraightWalk().Save(client.Folder["walk.bvh"]);
+        await client.UploadAsync(client.Folder["walk.bvh"]);
+
+        JsonElement curve = await client.GetAsync("takes/t1/curves?performer=t1-0&bone=Head&quantity=speed&points=20&from=500&to=1500");
+        JsonElement contacts = await client.GetAsync("takes/t1/contacts?performer=t1-0");
+
+        Assert.Equal("m/s", curve.GetProperty("unit").GetString());
+        Assert.Equal(20, curve.GetProperty("times").GetArrayLength());
+        Assert.All(curve.GetProperty("max").EnumerateArray(), static value => Assert.Equal(1, value.GetDouble(), 2));
+        Assert.Equal(JsonValueKind.Array, contacts.GetProperty("left").ValueKind);
+        Assert.Equal(JsonValueKind.Array, contacts.GetProperty("right").ValueKind);
+    }
+
+    [Theory]
+    [InlineData("takes/t1/curves?bone=Tail&quantity=speed", "bone")]
+    [InlineData("takes/t1/curves?bone=Hips&quantity=weight", "quantity")]
+    [InlineData("takes/t1/curves?bone=Hips&quantity=1", "quantity")]
+    [InlineData("takes/t1/curves?bone=Hips&quantity=speed&points=0", "points")]
+    [InlineData("takes/t1/curves?bone=Hips&quantity=speed&from=NaN", "from")]
+    [InlineData("takes/t1/curves?bone=Hips&quantity=speed&from=9&to=3", "to")]
+    [InlineData("takes/t1/poses?from=-1", "from")]
+    [InlineData("takes/t1/poses?count=999999999", "count")]
+    [InlineData("takes/t1/download?format=exe", "format")]
+    public async Task Wrong_values_are_refused_with_a_sentence(string address, string name)
+    {
+        await using TakeClient client = await TakeClient.StartAsync();
+        Files.Takes.Actor(2).Save(client.Folder["walk.bvh"]);
+        await client.UploadAsync(client.Folder["walk.bvh"]);
+
+        JsonElement error = await client.GetAsync(address, HttpStatusCode.BadRequest);
+
+        Assert.StartsWith(name, error.GetProperty("error").GetString(), StringComparison.Ordinal);
+    }
+
+    [Theory]
+    [InlineData("takes/t9")]
+    [InlineData("takes/t9/poses")]
+    [InlineData("takes/t1/poses?performer=0-7")]
+    public async Task What_is_not_open_is_not_found(string address)
+    {
+        await using TakeClient client = await TakeClient.StartAsync();
+        Files.Takes.Actor(2).Save(client.Folder["walk.bvh"]);
+        await client.UploadAsync(client.Folder["walk.bvh"]);
+        await client.GetAsync(address, HttpStatusCode.NotFound);
+    }
+
+    [Fact]
+    public async Task A_file_of_a_wrong_kind_is_refused_and_not_kept()
+    {
+        await using TakeClient client = await TakeClient.StartAsync();
+
+        JsonElement error = await client.PostAsync("photo.jpg", [0xFF, 0xD8, 0xFF, 0, 1, 2, 3], HttpStatusCode.BadRequest);
+        JsonElement empty = await client.PostAsync("none.bvh", [], HttpStatusCode.BadRequest);
+
+        Assert.DoesNotContain('\n', error.GetProperty("error").GetString()!);
+        Assert.Contains("none.bvh", empty.GetProperty("error").GetString(), StringComparison.Ordinal);
+        Assert.Equal(0, client.ScratchFiles);
+    }
+
+    [Fact]
+    public async Task A_file_that_is_too_large_is_refused_and_not_kept()
+    {
+        await using TakeClient client = await TakeClient.StartAsync(megabytes: 1);
+        await client.PostAsync("big.bvh", new byte[1_100_000], HttpStatusCode.RequestEntityTooLarge);
+        Assert.Equal(0, client.ScratchFiles);
+    }
+
+    [Fact]
+    public async Task A_name_with_a_path_is_only_shown()
+    {
+        await using TakeClient client = await TakeClient.StartAsync();
+        Files.Takes.Actor(2).Save(client.Folder["walk.bvh"]);
+
+        JsonElement answer = await client.PostAsync("../../etc/\"x\"\r\n.bvh", await File.ReadAllBytesAsync(client.Folder["walk.bvh"]));
+        JsonElement info = await client.GetAsync($"takes/{answer.GetProperty("id").GetString()}");
+
+        Assert.Equal("x.bvh", info.GetProperty("name").GetString());
+    }
+
+    [Fact]
+    public async Task Takes_are_downloaded_as_other_files_and_as_they_were()
+    {
+        await using TakeClient client = await TakeClient.StartAsync();
+        Files.Takes.Actor(90).Save(client.Folder["a walk.bvh"]);
+        await client.UploadAsync(client.Folder["a walk.bvh"]);
+
+        using HttpResponseMessage same = await client.GetFileAsync("takes/t1/download?format=bvh");
+        using HttpResponseMessage part = await client.GetFileAsync("takes/t1/download?format=bvh&performer=t1-0&from=500&to=1000");
+        using HttpResponseMessage recording = await client.GetFileAsync("takes/t1/download?format=nmrec");
+
+        Assert.Equal(await File.ReadAllBytesAsync(client.Folder["a walk.bvh"]), await same.Content.ReadAsByteArrayAsync());
+        Assert.Equal(30, BvhDocument.Parse(await part.Content.ReadAsByteArrayAsync()).FrameCount);
+        Assert.Equal("a walk.nmrec", recording.Content.Headers.ContentDisposition!.FileNameStar);
+        string copy = client.Folder["copy.nmrec"];
+        await File.WriteAllBytesAsync(copy, await recording.Content.ReadAsByteArrayAsync());
+        using (RecordingReader reader = RecordingReader.Open(copy))
+            Assert.Equal("the file a walk.bvh", reader.Metadata[RecordingMetadata.ServerKey]);
+
+        JsonElement again = await client.OpenAsync(copy);
+        Assert.Equal(90, again.GetProperty("performers")[0].GetProperty("frames").GetInt64());
+    }
+
+    [Fact]
+    public async Task A_new_take_closes_the_oldest_and_deletes_its_file()
+    {
+        await using TakeClient client = await TakeClient.StartAsync();
+        Files.Takes.Actor(2).Save(client.Folder["walk.bvh"]);
+        byte[] file = await File.ReadAllBytesAsync(client.Folder["walk.bvh"]);
+        for (int i = 0; i <= NeuronMocap.Tool.View.Takes.TakeLibrary.MostTakes; i++)
+            await client.PostAsync("walk.bvh", file);
+
+        await client.GetAsync("takes/t1", HttpStatusCode.NotFound);
+        await client.GetAsync("takes/t2");
+    }
+}

@@ -1,0 +1,137 @@
+import type { Page, Takes } from "../page/page";
+import { Character } from "./character";
+import { freeObject } from "./dispose";
+import type { CharacterFiles } from "./files";
+import { loadCharacter } from "./load";
+import { CharacterMotion } from "./motion";
+import { describeSkeleton } from "./skeleton";
+
+/** The characters on the stage: who follows whom, and where. */
+export class Cast {
+  /** Names of the files that are being loaded. */
+  readonly loading: string[] = [];
+  private readonly _page: Page;
+  private readonly _takes: Takes;
+  private readonly _changed: () => void;
+  private readonly _motions = new Map<Character, CharacterMotion>();
+
+  constructor(page: Page, takes: Takes, changed: () => void) {
+    (this._page = page, this._takes = takes, this._changed = changed);
+    page.performers.onChange(() => this._assign());
+    page.feed.onChange(() => this._assign());
+    page.connection.onState(() => this._adjust());
+    page.loop.add("scene", (_, step) => this._update(step));
+  }
+
+  get all(): Character[] {
+    return [...this._motions.keys()];
+  }
+
+  /** Loads a character, and shows it as soon as a performer moves. Throws an Error with a sentence. */
+  async add(files: CharacterFiles<File>): Promise<void> {
+    const { name } = files.main;
+    this.loading.push(name);
+    this._changed();
+    try {
+      await this._load(files);
+    } finally {
+      this.loading.splice(this.loading.indexOf(name), 1);
+      this._assign();
+    }
+  }
+
+  follow(character: Character, performer: string): void {
+    character.performer = performer;
+    character.place = this._freePlace(character);
+    this._assign();
+  }
+
+  /** Shows a character next to the figure of its performer, or in its place. */
+  setBeside(character: Character, beside: boolean): void {
+    character.place = beside ? Math.max(1, this._freePlace(character)) : 0;
+    this._assign();
+  }
+
+  remove(character: Character): void {
+    this._motions.get(character)?.dispose();
+    this._motions.delete(character);
+    character.dispose();
+    this._assign();
+    this._page.loop.invalidate();
+  }
+
+  private async _load(files: CharacterFiles<File>): Promise<void> {
+    const loaded = await loadCharacter(files);
+    let character: Character;
+    try {
+      character = new Character(loaded, describeSkeleton(loaded));
+      character.performer = this._leastFollowed();
+      character.place = this._freePlace(character);
+      const motion = new CharacterMotion(this._page, this._takes, character, this._changed);
+      await motion.introduce();
+      this._motions.set(character, motion);
+    } catch (error) {
+      freeObject(loaded.root);
+      throw error;
+    }
+
+    this._page.stage.scene.add(character.group);
+  }
+
+  // Whoever follows somebody that has left follows somebody else.
+  private _assign(): void {
+    for (const character of this._motions.keys()) {
+      if (this._page.performers.get(character.performer))
+        continue;
+
+      character.hide();
+      character.performer = this._leastFollowed() || character.performer;
+    }
+
+    for (const performer of this._page.performers.all) {
+      const isReplaced = this.all.some(each => each.performer === performer.info.key && each.place === 0);
+      if (performer.figureReplaced === isReplaced)
+        continue;
+
+      performer.figureReplaced = isReplaced;
+      performer.refresh();
+    }
+
+    this._adjust();
+    this._changed();
+  }
+
+  private _adjust(): void {
+    for (const motion of this._motions.values())
+      motion.adjust();
+  }
+
+  private _update(step: number): void {
+    for (const [character, motion] of this._motions) {
+      motion.update();
+      if (character.update(step))
+        this._page.loop.invalidate();
+    }
+  }
+
+  private _leastFollowed(): string {
+    let best = "";
+    let fewest = Infinity;
+    for (const { info } of this._page.performers.all) {
+      const count = this.all.filter(each => each.performer === info.key).length;
+      if (count < fewest)
+        (best = info.key, fewest = count);
+    }
+
+    return best;
+  }
+
+  // The first place that no other character of the performer has.
+  private _freePlace(character: Character): number {
+    const taken = new Set(this.all.filter(each => each !== character && each.performer === character.performer).map(each => each.place));
+    let place = 0;
+    while (taken.has(place))
+      place++;
+    return place;
+  }
+}

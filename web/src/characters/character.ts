@@ -1,0 +1,134 @@
+import { Group, type Object3D, Vector3 } from "three";
+import { freeObject } from "./dispose";
+import type { LoadedCharacter } from "./load";
+import { CharacterPose } from "./pose";
+import type { Skeleton } from "./skeleton";
+
+/** How the server numbers the bones of a character. */
+export interface CharacterBones {
+  readonly id: number;
+  readonly bones: readonly { readonly node: number; readonly bone: string; readonly humanoid: string | null }[];
+  readonly hipsNode: number;
+  readonly problems: readonly string[];
+}
+
+/** Metres between a performer and a character beside it. */
+const Beside = 1.1;
+
+/** Springs become unstable in longer steps, in milliseconds. */
+const LongestStep = 50;
+
+/** Hair and clothes swing on for a while after the last pose, in milliseconds. */
+const SwingFor = 2000;
+
+type Point = [number, number, number];
+
+/** A character on the stage. Allocates nothing per pose. */
+export class Character {
+  readonly name: string;
+  readonly skeleton: Skeleton;
+  /** Holds the character. Its axes are the world's. */
+  readonly group = new Group();
+  /** Key of the performer that it follows. */
+  performer = "";
+  private readonly _loaded: LoadedCharacter;
+  private readonly _point = new Vector3();
+  private _bones: CharacterBones | null = null;
+  private _objects: readonly Object3D[] = [];
+  private _hips: Object3D | null = null;
+  private _pose = new CharacterPose(0);
+  private _since = Infinity;
+  private _hasPose = false;
+
+  constructor(loaded: LoadedCharacter, skeleton: Skeleton) {
+    this.name = loaded.name;
+    this.skeleton = skeleton;
+    this._loaded = loaded;
+    this.group.add(loaded.root);
+    this.group.visible = false;
+  }
+
+  get bones(): CharacterBones | null {
+    return this._bones;
+  }
+
+  /** Whether a pose has arrived. */
+  get isShown(): boolean {
+    return this.group.visible;
+  }
+
+  /** Number of places beside the performer, 0 for the performer's own place. */
+  set place(value: number) {
+    this.group.position.x = value * Beside;
+  }
+
+  get place(): number {
+    return Math.round(this.group.position.x / Beside);
+  }
+
+  /** Takes over how the server numbers the bones. */
+  bind(bones: CharacterBones): void {
+    this._bones = bones;
+    this._objects = bones.bones.map(bone => this.skeleton.objects[bone.node]);
+    this._hips = this.skeleton.objects[bones.hipsNode];
+    this._pose = new CharacterPose(bones.bones.length);
+  }
+
+  /** Shows a pose of the server. Returns false for bytes that are not one of this character. */
+  show(view: DataView): boolean {
+    if (!this._hips || !this._pose.decode(view))
+      return false;
+
+    const { rotations, hips } = this._pose;
+    for (let i = 0; i < this._objects.length; i++)
+      this._objects[i].quaternion.set(rotations[i * 4], rotations[i * 4 + 1], rotations[i * 4 + 2], rotations[i * 4 + 3]);
+    this._hips.position.set(hips[0], hips[1], hips[2]);
+    this.group.visible = true;
+    this._since = 0;
+    return true;
+  }
+
+  /** Moves what follows the bones. Returns whether the picture changes. */
+  update(step: number): boolean {
+    if (!this.group.visible || this._since > SwingFor)
+      return false;
+
+    const { vrm } = this._loaded;
+    const isNew = this._since === 0;
+    this._since += Math.max(1, step);
+    if (!vrm)
+      return isNew;
+
+    // Without this, hair and clothes fly from the rest pose to the first pose.
+    if (!this._hasPose) {
+      vrm.update(0);
+      vrm.springBoneManager?.reset();
+    }
+
+    this._hasPose = true;
+    vrm.update(Math.min(step, LongestStep) / 1000);
+    return true;
+  }
+
+  hide(): void {
+    this.group.visible = false;
+    this._hasPose = false;
+  }
+
+  /** Positions of the bones in the world, by the names of the stream's bones. */
+  joints(): Record<string, Point> {
+    const found: Record<string, Point> = {};
+    const { vrm } = this._loaded;
+    for (const { node, bone, humanoid } of this._bones?.bones ?? []) {
+      const raw = humanoid === null ? null : vrm?.humanoid.getRawBoneNode(humanoid as "hips");
+      found[bone] = (raw ?? this.skeleton.objects[node]).getWorldPosition(this._point).toArray();
+    }
+
+    return found;
+  }
+
+  dispose(): void {
+    this.group.removeFromParent();
+    freeObject(this.group);
+  }
+}

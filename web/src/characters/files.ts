@@ -1,0 +1,82 @@
+/** Endings of the files that show a character. */
+export const CharacterEndings: readonly string[] = [".vrm", ".glb", ".gltf"];
+
+/** What a glTF file requires that this page does not read, in words. */
+const Unsupported: Readonly<Record<string, string>> = {
+  KHR_draco_mesh_compression: "compressed with Draco",
+  EXT_meshopt_compression: "compressed with meshopt",
+  KHR_meshopt_compression: "compressed with meshopt",
+  KHR_texture_basisu: "textured with KTX2",
+};
+
+export interface CharacterFiles<T> {
+  readonly main: T;
+  /** The other files by their names in lower case: buffers and pictures of a .gltf. */
+  readonly parts: ReadonlyMap<string, T>;
+}
+
+/** Finds the character among files that were dropped together. Null: there is none. */
+export function findCharacter<T extends { readonly name: string }>(files: readonly T[]): CharacterFiles<T> | null {
+  const main = files.find(file => CharacterEndings.some(ending => file.name.toLowerCase().endsWith(ending)));
+  if (!main)
+    return null;
+
+  return { main, parts: new Map(files.filter(file => file !== main).map(file => [file.name.toLowerCase(), file])) };
+}
+
+/** The name of the file that an address in a .gltf refers to, in lower case and without folders. */
+export function partName(address: string): string {
+  const path = address.split(/[?#]/)[0];
+  let name = path.slice(Math.max(path.lastIndexOf("/"), path.lastIndexOf("\\")) + 1);
+  try {
+    name = decodeURIComponent(name);
+  } catch {
+    // A name with a plain percent sign.
+  }
+
+  return name.toLowerCase();
+}
+
+interface GltfJson {
+  readonly extensionsRequired?: readonly string[];
+  readonly buffers?: readonly { readonly uri?: string }[];
+  readonly images?: readonly { readonly uri?: string }[];
+}
+
+/** Says in a sentence why a character cannot be shown, or null. */
+export function findObstacle(name: string, json: GltfJson, parts: ReadonlySet<string> | ReadonlyMap<string, unknown>): string | null {
+  const reasons = [...new Set((json.extensionsRequired ?? []).map(each => Unsupported[each]).filter(each => each !== undefined))];
+  if (reasons.length > 0)
+    return `${name} is ${reasons.join(" and ")}, which this page cannot read. Export it without.`;
+
+  const missing = [...json.buffers ?? [], ...json.images ?? []]
+    .map(each => each.uri)
+    .filter(uri => uri !== undefined && !uri.startsWith("data:"))
+    .map(uri => partName(uri!))
+    .filter(part => !parts.has(part));
+  return missing.length > 0 ? `${name} needs ${list(missing)}. Drop all of its files together.` : null;
+}
+
+/** Reads the JSON of a .glb or .gltf file. Throws an Error with a sentence if it is none. */
+export function readJson(name: string, bytes: ArrayBuffer): GltfJson {
+  const view = new DataView(bytes);
+  const isBinary = bytes.byteLength >= 20 && view.getUint32(0, true) === 0x46546c67;
+  if (isBinary && (view.getUint32(4, true) !== 2 || view.getUint32(16, true) !== 0x4e4f534a || 20 + view.getUint32(12, true) > bytes.byteLength))
+    throw new Error(`${name} is damaged, or of an old version of glTF.`);
+
+  const text = isBinary ? new Uint8Array(bytes, 20, view.getUint32(12, true)) : new Uint8Array(bytes);
+  try {
+    const json = JSON.parse(new TextDecoder().decode(text)) as GltfJson & { asset?: unknown };
+    if (typeof json === "object" && json?.asset)
+      return json;
+  } catch {
+    // Not JSON.
+  }
+
+  throw new Error(`${name} is not a glTF or VRM file.`);
+}
+
+function list(names: readonly string[]): string {
+  const shown = names.slice(0, 3).join(", ");
+  return names.length > 3 ? `${shown} and ${names.length - 3} more files` : shown;
+}

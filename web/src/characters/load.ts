@@ -1,0 +1,70 @@
+import { type VRM, VRMLoaderPlugin, VRMUtils } from "@pixiv/three-vrm";
+import { LoadingManager, Mesh, type Object3D } from "three";
+import { GLTFLoader } from "three/addons/loaders/GLTFLoader.js";
+import { type CharacterFiles, findObstacle, partName, readJson } from "./files";
+
+const LargestFile = 1024 * 1024 * 1024;
+
+/** A character as its file describes it. */
+export interface LoadedCharacter {
+  readonly name: string;
+  readonly root: Object3D;
+  /** Null for a glTF file without VRM's humanoid. */
+  readonly vrm: VRM | null;
+}
+
+/** Reads a character. Throws an Error with a sentence if that is not possible. */
+export async function loadCharacter(files: CharacterFiles<File>): Promise<LoadedCharacter> {
+  const { main, parts } = files;
+  if (main.size > LargestFile)
+    throw new Error(`${main.name} is larger than 1 GB.`);
+
+  const bytes = await main.arrayBuffer();
+  const obstacle = findObstacle(main.name, readJson(main.name, bytes), parts);
+  if (obstacle !== null)
+    throw new Error(obstacle);
+
+  // Buffers and pictures of a .gltf come from the files that were dropped with it, and never from the network.
+  const opened: string[] = [];
+  const manager = new LoadingManager();
+  manager.setURLModifier(address => {
+    if (/^(data|blob):/i.test(address))
+      return address;
+
+    const part = parts.get(partName(address));
+    if (!part)
+      return "data:,";
+    opened.push(URL.createObjectURL(part));
+    return opened[opened.length - 1];
+  });
+  const loader = new GLTFLoader(manager);
+  loader.register(parser => new VRMLoaderPlugin(parser));
+  try {
+    const gltf = await loader.parseAsync(bytes, "");
+    return prepare(main.name, gltf.scene, (gltf.userData["vrm"] as VRM | undefined) ?? null);
+  } catch (error) {
+    throw new Error(explain(main.name, error as Error));
+  } finally {
+    opened.forEach(URL.revokeObjectURL);
+  }
+}
+
+function prepare(name: string, root: Object3D, vrm: VRM | null): LoadedCharacter {
+  if (vrm)
+    VRMUtils.rotateVRM0(vrm);
+  root.traverse(object => {
+    if (!(object instanceof Mesh))
+      return;
+
+    object.castShadow = true;
+    object.receiveShadow = true;
+    // The bounds are those of the rest pose, and the character walks away from them.
+    object.frustumCulled = false;
+  });
+  return { name, root, vrm };
+}
+
+function explain(name: string, error: Error): string {
+  const missing = /humanoid bones are required but not exist: (.*)$/.exec(error.message);
+  return missing ? `${name} lacks humanoid bones: ${missing[1]}.` : `${name} is damaged: ${error.message}`;
+}

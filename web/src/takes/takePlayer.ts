@@ -1,0 +1,149 @@
+import { decodePose, Pose } from "../live/pose";
+import type { Page } from "../page/page";
+import { isIn, type TakeContacts, type TakeInfo, toPerformer } from "./info";
+import type { Playback } from "./playback";
+import { Track } from "./track";
+
+interface Shown {
+  readonly track: Track;
+  contacts: TakeContacts | null;
+  frame: number;
+}
+
+/** Puts the frames of a take on the stage. */
+export class TakePlayer {
+  /** Number of the first performer's frame, -1 if it is not loaded. */
+  frame = -1;
+  /** Whether the first performer has no frames at this time. */
+  isGap = false;
+  private readonly _page: Page;
+  private readonly _playback: Playback;
+  private readonly _pose = new Pose();
+  private readonly _performers: Shown[] = [];
+  private readonly _base: string;
+  private _time = NaN;
+  private _fresh = false;
+
+  constructor(page: Page, playback: Playback, id: string) {
+    this._page = page;
+    this._playback = playback;
+    this._base = `takes/${encodeURIComponent(id)}`;
+  }
+
+  /** Takes what the server knows of the take now. */
+  async update(info: TakeInfo): Promise<void> {
+    for (let i = 0; i < info.performers.length; i++) {
+      const performer = info.performers[i];
+      const query = `performer=${encodeURIComponent(performer.key)}`;
+      const shown = this._performers[i] ??= {
+        track: new Track(performer, (from, count) => this._page.api.bytes(`${this._base}/poses?${query}&from=${from}&count=${count}`)),
+        contacts: null,
+        frame: -1,
+      };
+      shown.track.cache.onLoad = () => {
+        this._fresh = true;
+      };
+      const { step, times } = await this._page.api.get<{ step: number; times: number[] }>(`${this._base}/times?${query}`);
+      shown.track.update(performer, step, times);
+      this._page.performers.put(toPerformer(performer));
+      this._fresh = true;
+    }
+  }
+
+  async loadContacts(): Promise<readonly (TakeContacts | null)[]> {
+    for (const shown of this._performers)
+      shown.contacts = await this._page.api.get<TakeContacts>(`${this._base}/contacts?performer=${encodeURIComponent(shown.track.info.key)}`);
+    return this._performers.map(shown => shown.contacts);
+  }
+
+  /** Whether the frames at a time are there, so that the time can go on. */
+  isReady(time: number, direction: number): boolean {
+    for (const shown of this._performers) {
+      if (shown.track.info.frames > 0 && shown.track.frameAt(time, direction) < 0)
+        return false;
+    }
+
+    return true;
+  }
+
+  /** Shows the frames of the current time. Allocates nothing. Returns whether anything may have changed. */
+  show(): boolean {
+    const time = this._playback.time;
+    if (time === this._time && !this._fresh)
+      return false;
+
+    const direction = time === this._time ? 0 : time < this._time ? -1 : 1;
+    this._time = time;
+    this._fresh = false;
+    for (let i = 0; i < this._performers.length; i++)
+      this._showPerformer(this._performers[i], time, direction, i === 0);
+    return true;
+  }
+
+  /** The time of the frame before or after the one that is shown; null if it is not known. */
+  timeOfStep(direction: number): number | null {
+    const track = this._performers.find(shown => shown.track.info.frames > 0)?.track;
+    if (!track)
+      return null;
+
+    const frame = track.frameAt(this._playback.time, direction);
+    const next = Math.min(track.info.frames - 1, Math.max(0, frame + direction));
+    const time = track.timeOf(next);
+    return frame < 0 || Number.isNaN(time) ? null : time;
+  }
+
+  /** Frames of the first performer. */
+  get frames(): number {
+    return this._performers[0]?.track.info.frames ?? 0;
+  }
+
+  dispose(): void {
+    for (const { track } of this._performers) {
+      track.cache.onLoad = null;
+      track.cache.clear();
+    }
+
+    this._performers.length = 0;
+  }
+
+  private _showPerformer(shown: Shown, time: number, direction: number, isFirst: boolean): void {
+    const { track } = shown;
+    const frame = track.frameAt(time, direction);
+    if (isFirst) {
+      this.frame = frame;
+      this.isGap = isInGap(track, time);
+    }
+
+    const performer = this._page.performers.get(track.info.key);
+    if (!performer || frame < 0)
+      return;
+
+    if (shown.contacts)
+      performer.setContacts(isIn(shown.contacts.left, time), isIn(shown.contacts.right, time));
+    if (frame === shown.frame && performer.hasPose)
+      return;
+
+    const view = track.pose(frame);
+    if (!view || !decodePose(view, this._pose))
+      return;
+
+    shown.frame = frame;
+    performer.show(this._pose);
+  }
+}
+
+function isInGap(track: Track, time: number): boolean {
+  const { info } = track;
+  return info.frames === 0 || time > info.end + 1 || time < info.start - 1 || isInside(track, time);
+}
+
+// The frames at both ends of a gap exist.
+function isInside(track: Track, time: number): boolean {
+  const gaps = track.info.gaps;
+  for (let i = 0; i < gaps.length; i++) {
+    if (time > gaps[i][0] + 50 && time < gaps[i][1])
+      return true;
+  }
+
+  return false;
+}

@@ -1,0 +1,49 @@
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import { findCharacter, findObstacle, partName, readJson } from "../../src/characters/files";
+import { makeSample, toGlb } from "./sample";
+
+const named = (...names: string[]) => names.map(name => ({ name }));
+const encode = (text: string) => new TextEncoder().encode(text).buffer as ArrayBuffer;
+
+test("a character is found among the files that were dropped with it", () => {
+  assert.equal(findCharacter(named("walk.bvh")), null);
+  const found = findCharacter(named("Skin.PNG", "Hero.GLTF", "hero.bin"));
+  assert.equal(found?.main.name, "Hero.GLTF");
+  assert.deepEqual([...found!.parts.keys()], ["skin.png", "hero.bin"]);
+});
+
+test("addresses in a file lead to the dropped files", () => {
+  assert.equal(partName("textures/Skin%20a.png?x#y"), "skin a.png");
+  assert.equal(partName("..\\Tex\\A.png"), "a.png");
+  assert.equal(partName("100%.png"), "100%.png");
+});
+
+test("what a file needs and is not there is said in one sentence", () => {
+  const json = { buffers: [{ uri: "a.bin" }, { uri: "data:xyz" }, {}], images: ["b", "c", "d", "e"].map(name => ({ uri: `${name}.png` })) };
+  assert.equal(findObstacle("x.gltf", json, new Set()), "x.gltf needs a.bin, b.png, c.png and 2 more files. Drop all of its files together.");
+  assert.equal(findObstacle("x.gltf", json, new Set(["a.bin", "b.png", "c.png", "d.png", "e.png"])), null);
+});
+
+test("compressed files are refused in one sentence", () => {
+  const json = { extensionsRequired: ["KHR_draco_mesh_compression", "KHR_texture_basisu", "KHR_materials_unlit"] };
+  assert.equal(findObstacle("x.glb", json, new Set()), "x.glb is compressed with Draco and textured with KTX2, which this page cannot read. Export it without.");
+  assert.match(findObstacle("x.glb", { extensionsRequired: ["EXT_meshopt_compression"] }, new Set())!, /meshopt/);
+});
+
+test("the JSON of both kinds of files is read", () => {
+  const sample = makeSample({ vrm: "1" });
+  const json = JSON.parse(JSON.stringify(sample.json)) as unknown;
+  assert.deepEqual(readJson("a.vrm", toGlb(sample)), json);
+  assert.deepEqual(readJson("a.gltf", encode(JSON.stringify(sample.json))), json);
+});
+
+test("other and damaged files are refused in one sentence", () => {
+  for (const text of ["", "{", "null", "3", "{}", "not really a file of this kind"])
+    assert.throws(() => readJson("a.glb", encode(text)), /^Error: a\.glb is not a glTF or VRM file\.$/);
+
+  const glb = toGlb(makeSample({ vrm: null }));
+  assert.throws(() => readJson("a.glb", glb.slice(0, 200)), /damaged/);
+  new DataView(glb).setUint32(4, 1, true);
+  assert.throws(() => readJson("a.glb", glb), /old version/);
+});

@@ -1,0 +1,122 @@
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import { type Mesh, type Object3D, type SkinnedMesh, Vector3 } from "three";
+import { Character } from "../../src/characters/character";
+import { loadCharacter, type LoadedCharacter } from "../../src/characters/load";
+import { describeSkeleton, type Skeleton } from "../../src/characters/skeleton";
+import { makeSample, mixamoName, type SampleOptions, toGlb } from "./sample";
+
+globalThis.self ??= globalThis as never;
+
+async function load(options: SampleOptions): Promise<{ loaded: LoadedCharacter; skeleton: Skeleton }> {
+  const main = new File([toGlb(makeSample(options))], "boxes.vrm");
+  const loaded = await loadCharacter({ main, parts: new Map() });
+  return { loaded, skeleton: describeSkeleton(loaded) };
+}
+
+function near(actual: readonly number[], expected: readonly number[], what: string): void {
+  actual.forEach((value, i) => assert.ok(Math.abs(value - expected[i]) < 1e-4, `${what}: ${actual} instead of ${expected}`));
+}
+
+/** Where the nodes of a description are, without turns and scales of their own. */
+function placeOf(skeleton: Skeleton, index: number): Vector3 {
+  return skeleton.objects[index].getWorldPosition(new Vector3());
+}
+
+test("the bones of a VRM are its normalized bones, and face forward", async () => {
+  for (const vrm of ["0", "1"] as const) {
+    const { loaded, skeleton } = await load({ vrm, twisted: true });
+    assert.equal(loaded.vrm?.meta.metaVersion, vrm);
+    for (const index of Object.values(skeleton.humanoid!))
+      near(skeleton.nodes[index].rotation, [0, 0, 0, 1], skeleton.nodes[index].name);
+    assert.ok(skeleton.nodes.every((node, i) => node.parent < i));
+    near(placeOf(skeleton, skeleton.humanoid!["leftHand"]).toArray(), [0.66, 1.4, 0], `left hand of VRM ${vrm}`);
+    near(placeOf(skeleton, skeleton.humanoid!["leftToes"]).toArray(), [0.09, 0.02, 0.13], `left toes of VRM ${vrm}`);
+    near([skeleton.lowest!], [0], "lowest point");
+  }
+});
+
+test("a VRM without a required bone says which", async () => {
+  await assert.rejects(load({ vrm: "1", without: ["rightHand", "rightIndexProximal", "rightLittleProximal"] }), /^Error: boxes\.vrm lacks humanoid bones: rightHand\.$/);
+});
+
+test("a glTF file gives the joints of its skin with their names in the file", async () => {
+  const { skeleton } = await load({ vrm: null, nameOf: mixamoName, scale: 0.01, twisted: true });
+  assert.equal(skeleton.humanoid, undefined);
+  const hips = skeleton.nodes.findIndex(node => node.name === "mixamorig:Hips");
+  near(placeOf(skeleton, hips).toArray(), [0, 0.95, 0], "hips");
+  near(skeleton.nodes[hips].translation, [0, 95, 0], "hips in the file");
+  near([skeleton.lowest!], [0], "lowest point");
+  assert.deepEqual(skeleton.nodes[skeleton.nodes[hips].parent].scale, [0.01, 0.01, 0.01]);
+  assert.ok(!skeleton.nodes.some(node => node.name === "Body"));
+});
+
+test("nodes in the pose of an animation return to the pose of the skin", async () => {
+  const { skeleton: expected } = await load({ vrm: null, nameOf: mixamoName, lowered: 40, twisted: true });
+  const { skeleton } = await load({ vrm: null, nameOf: mixamoName, lowered: 40, twisted: true, posed: 70 });
+  skeleton.nodes.forEach((node, i) => near(node.rotation, expected.nodes[i].rotation, node.name));
+  near([skeleton.lowest!], [0], "lowest point");
+});
+
+test("poses turn the nodes, and a VRM's own bones follow", async () => {
+  for (const options of [{ vrm: "1", twisted: true }, { vrm: "0", twisted: true }, { vrm: null }] as const) {
+    const { loaded, skeleton } = await load(options);
+    const character = new Character(loaded, skeleton);
+    const indexOf = (name: string) => skeleton.humanoid?.[name] ?? skeleton.nodes.findIndex(node => node.name === name);
+    character.bind({
+      id: 7,
+      bones: [{ node: indexOf("hips"), bone: "Hips", humanoid: "hips" }, { node: indexOf("leftUpperArm"), bone: "LeftArm", humanoid: "leftUpperArm" }, { node: indexOf("leftHand"), bone: "LeftHand", humanoid: "leftHand" }],
+      hipsNode: indexOf("hips"),
+      problems: [],
+    });
+    assert.equal(character.show(new DataView(new ArrayBuffer(10))), false);
+    assert.equal(character.isShown, false);
+
+    // The identity except for a quarter turn of the arm about Z, and the hips a metre up. Of VRM 0.x, the axes are turned.
+    const quarter = options.vrm === "0" ? -Math.SQRT1_2 : Math.SQRT1_2;
+    assert.ok(character.show(poseOf([0, 1.95, 0], [[0, 0, 0, 1], [0, 0, quarter, Math.SQRT1_2], [0, 0, 0, 1]])));
+    assert.ok(character.update(16));
+    character.group.updateMatrixWorld(true);
+    near(character.joints()["Hips"], [0, 1.95, 0], `hips ${options.vrm}`);
+    near(character.joints()["LeftHand"], [0.16, 1.4 + 1 + 0.5, 0], `hand ${options.vrm}`);
+    character.place = 2;
+    assert.equal(character.place, 2);
+    assert.ok(Math.abs(character.joints()["Hips"][0] - 2.2) < 1e-4);
+  }
+});
+
+test("all that a character holds on the graphics card is freed", async () => {
+  const { loaded, skeleton } = await load({ vrm: "1" });
+  const character = new Character(loaded, skeleton);
+  const held = new Set<object>();
+  let freed = 0;
+  loaded.root.traverse((object: Object3D) => {
+    const mesh = object as Mesh | SkinnedMesh;
+    for (const each of mesh.isMesh ? [mesh.geometry, ...[mesh.material].flat()] : []) {
+      if (held.has(each))
+        continue;
+      held.add(each);
+      each.addEventListener("dispose", () => freed++);
+    }
+  });
+  character.dispose();
+  assert.ok(held.size >= 2);
+  assert.equal(freed, held.size);
+});
+
+function poseOf(hips: readonly number[], rotations: readonly (readonly number[])[]): DataView {
+  const view = new DataView(new ArrayBuffer(28 + rotations.length * 6));
+  view.setUint8(0, 1);
+  view.setUint8(1, 2);
+  view.setUint16(2, rotations.length, true);
+  hips.forEach((value, i) => view.setFloat32(16 + i * 4, value, true));
+  rotations.forEach((rotation, i) => {
+    const largest = rotation.reduce((best, value, axis) => Math.abs(value) > Math.abs(rotation[best]) ? axis : best, 0);
+    const sign = Math.sign(rotation[largest]);
+    const words = rotation.filter((_, axis) => axis !== largest).map(value => Math.round(value * sign * 16383 * Math.SQRT2) + 16384);
+    view.setUint16(28 + i * 6, words[0] | (largest & 1) << 15, true);
+    view.setUint16(30 + i * 6, words[1] | (largest & 2) << 14, true);
+    view.setUint16(32 + i * 6, words[2], true);
+  });
+  return view;
+}
