@@ -33,7 +33,7 @@ public sealed class ToolDependencyTests
         ["View/Control"] = ["View/Performers", "View/Web"],
         ["View/Figures"] = ["View/Performers", "View/Web"],
         ["View/Live"] = ["Output", "View/Control", "View/Performers", "View/Web", "Watch/Live"],
-        ["View/Takes"] = ["View/Web"],
+        ["View/Takes"] = ["Convert", "Files", "Terminal", "View/Control", "View/Figures", "View/Performers", "View/Web"],
         ["View/Characters"] = ["View/Live", "View/Performers", "View/Takes", "View/Web"],
         ["View/Actions"] = ["Arguments", "Output", "Terminal", "View/Control", "View/Live", "View/Takes", "View/Web", "Watch/Recordings"],
         ["View"] =

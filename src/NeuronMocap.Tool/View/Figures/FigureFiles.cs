@@ -21,6 +21,12 @@ internal sealed class FigureFiles(Func<PerformerKey, Performer?> find) : IViewPa
         if (!PerformerKey.TryParse(context.Request.RouteValues["key"] as string, out PerformerKey key) || find(key) is not { } performer)
             throw ApiException.NotFound("There is no such performer.");
 
+        return SendAsync(context, performer);
+    }
+
+    /// <summary>Answers a request with the figure of a performer.</summary>
+    public static Task SendAsync(HttpContext context, Performer performer)
+    {
         byte[] glb = GlbWriter.CreateFigure(performer.Body, performer.Name, ColourOf(performer));
         context.Response.ContentType = "model/gltf-binary";
         context.Response.ContentLength = glb.Length;

@@ -1,4 +1,3 @@
-using System.Globalization;
 using System.Text.Json.Serialization;
 using NeuronMocap.Tool.Files;
 using NeuronMocap.Tool.View.Performers;
@@ -61,12 +60,10 @@ internal sealed record TakePerformerJson(PerformerJson Performer, long Frames, d
             Milliseconds(performer.Times.GetGaps()));
     }
 
-    /// <summary>The colour of a performer as 0xRRGGBB.</summary>
-    public static int ColourOf(TakePerformer performer) => int.Parse(Describe(performer).Colour.AsSpan(1), NumberStyles.HexNumber, CultureInfo.InvariantCulture);
-
     /// <summary>Converts stretches to pairs of milliseconds.</summary>
     public static IReadOnlyList<double[]> Milliseconds(IEnumerable<TimeStretch> stretches) =>
         [.. stretches.Select(static stretch => new[] { stretch.From / Microseconds, stretch.To / Microseconds })];
 
-    private static Performer Describe(TakePerformer performer) => new(new PerformerKey(0, performer.Index), performer.Name, performer.Index, performer.Body);
+    /// <summary>Describes a performer as one of a live stream.</summary>
+    public static Performer Describe(TakePerformer performer) => new(new PerformerKey(0, performer.Index), performer.Name, performer.Index, performer.Body);
 }

@@ -2,9 +2,9 @@ using System.Buffers.Binary;
 using Microsoft.AspNetCore.Builder;
 using Microsoft.AspNetCore.Http;
 using Microsoft.AspNetCore.Routing;
-using NeuronMocap.Gltf;
 using NeuronMocap.Skeleton;
 using NeuronMocap.Tool.View.Control;
+using NeuronMocap.Tool.View.Figures;
 using NeuronMocap.Tool.View.Web;
 
 namespace NeuronMocap.Tool.View.Takes;
@@ -161,10 +161,7 @@ internal sealed class TakeService(ScratchFolder scratch, ControlHub hub, int upl
     private Task SendFigureAsync(HttpContext context)
     {
         TakePerformer performer = Find(context).Find((string)context.Request.RouteValues["key"]!) ?? throw ApiException.NotFound("The take has no such performer.");
-        byte[] figure = GlbWriter.CreateFigure(performer.Body, performer.Name, TakePerformerJson.ColourOf(performer));
-        context.Response.ContentType = "model/gltf-binary";
-        context.Response.ContentLength = figure.Length;
-        return context.Response.Body.WriteAsync(figure, context.RequestAborted).AsTask();
+        return FigureFiles.SendAsync(context, TakePerformerJson.Describe(performer));
     }
 
     // JSON has no word for what is not a number.
