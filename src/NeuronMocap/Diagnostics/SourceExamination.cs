@@ -24,16 +24,7 @@ internal sealed class SourceExamination(DiagnosisContext context, ByteSource sou
 
     private async Task<Conclusion> ListenAsync(SourceLink link)
     {
-        var sample = new StreamSample(context.Expected);
-        Task<LinkEnd> receiving = link.ReceiveAsync(sample, listener: null);
-        TimeSpan silence = context.Share(context.Budget.Silence);
-        await context.WaitAsync(silence, sample.Started, receiving).ConfigureAwait(false);
-        if (sample.Started.IsCompleted)
-            await context.WaitAsync(context.Share(context.Budget.Measuring), receiving).ConfigureAwait(false);
-
-        bool hasEnded = receiving.IsCompleted;
-        link.Close();
-        LinkEnd end = await receiving.ConfigureAwait(false);
+        (StreamSample sample, TimeSpan silence, bool hasEnded, LinkEnd end) = await LinkSample.TakeAsync(context, link).ConfigureAwait(false);
         if (sample.Bytes > 0)
         {
             context.Log.Ok("first bytes", $"{sample.FirstBytes}{(hasEnded ? "; then the bytes ended" : string.Empty)}");

@@ -148,16 +148,7 @@ internal sealed class TcpExamination(DiagnosisContext context)
 
     private async Task<Conclusion> ListenAsync(TcpLink link, IPAddress address)
     {
-        var sample = new StreamSample(context.Expected);
-        Task<LinkEnd> receiving = link.ReceiveAsync(sample, listener: null);
-        TimeSpan silence = context.Share(context.Budget.Silence);
-        await context.WaitAsync(silence, sample.Started, receiving).ConfigureAwait(false);
-        if (sample.Started.IsCompleted)
-            await context.WaitAsync(context.Share(context.Budget.Measuring), receiving).ConfigureAwait(false);
-
-        bool closedByServer = receiving.IsCompleted;
-        link.Close();
-        await receiving.ConfigureAwait(false);
+        (StreamSample sample, TimeSpan silence, bool closedByServer, _) = await LinkSample.TakeAsync(context, link).ConfigureAwait(false);
         if (sample.Bytes == 0)
         {
             return closedByServer

@@ -10,18 +10,13 @@ namespace NeuronMocap.Calculation;
 public sealed class CalculationFileWriter : IDisposable
 {
     private const int FirstContact = CalculationFrame.BodyValueCount - 2;
-    private const int BufferSize = 1 << 16;
 
-    private readonly Stream _stream;
-    private readonly bool _leavesOpen;
+    private readonly RowOutput _output;
     private readonly int _decimals;
     private readonly byte[] _separator;
     private readonly byte[] _rowEnd;
     private readonly byte[]? _lastRowEnd;
-    private readonly byte[] _buffer;
-    private int _length;
     private bool _isEndOpen;
-    private bool _isDisposed;
 
     /// <summary>Creates a file and writes the header of the format. The file is complete after the writer is disposed.</summary>
     /// <param name="path">The path of the file. An existing file is replaced.</param>
@@ -47,15 +42,14 @@ public sealed class CalculationFileWriter : IDisposable
         ArgumentNullException.ThrowIfNull(stream);
         Check(valueCount);
         format ??= CalculationTextFormat.AxisNeuron;
-        _stream = stream;
-        _leavesOpen = leaveOpen;
+        _output = new RowOutput(stream, leaveOpen, TextDigits.MaxSize);
         _decimals = format.Decimals;
         _separator = Encoding.ASCII.GetBytes(format.Separator);
         _rowEnd = Encoding.ASCII.GetBytes(format.RowEnd);
         _lastRowEnd = format.LastRowEnd is null ? null : Encoding.ASCII.GetBytes(format.LastRowEnd);
-        _buffer = new byte[BufferSize + TextDigits.MaxSize + _separator.Length];
         ValueCount = valueCount;
-        _stream.Write(format.Header.Span);
+        _output.Write(format.Header.Span);
+        _output.Flush();
     }
 
     /// <summary>Number of values in each row: 946 for 59 bones, or 338 for 21.</summary>
@@ -73,56 +67,43 @@ public sealed class CalculationFileWriter : IDisposable
     {
         if (values.Length != ValueCount)
             throw new ArgumentException($"A row must have {ValueCount} values, not {values.Length}.", nameof(values));
-        ObjectDisposedException.ThrowIf(_isDisposed, this);
+        ObjectDisposedException.ThrowIf(_output.IsDisposed, this);
 
         if (_isEndOpen)
-            Write(_rowEnd);
+            _output.Write(_rowEnd);
 
         for (int i = 0; i < values.Length; i++)
         {
             if (i > 0)
-                Write(_separator);
-            if (_length >= BufferSize)
-                Flush();
+                _output.Write(_separator);
 
             bool isContact = i is FirstContact or FirstContact + 1;
-            _length += TextDigits.Write(_buffer.AsSpan(_length), values[i], isContact ? 0 : _decimals);
+            _output.Advance(TextDigits.Write(_output.Free, values[i], isContact ? 0 : _decimals));
         }
 
         // The writer knows that a row is the last one only when no other row follows.
         _isEndOpen = _lastRowEnd is not null;
         if (!_isEndOpen)
-            Write(_rowEnd);
+            _output.Write(_rowEnd);
 
         FrameCount++;
     }
 
     /// <summary>Passes the rows written so far to the stream.</summary>
     /// <exception cref="IOException">The stream fails.</exception>
-    public void Flush()
-    {
-        _stream.Write(_buffer, 0, _length);
-        _length = 0;
-    }
+    public void Flush() => _output.Flush();
 
     /// <summary>Ends the last row and closes the stream.</summary>
     /// <exception cref="IOException">The stream fails.</exception>
     public void Dispose()
     {
-        if (_isDisposed)
+        if (_output.IsDisposed)
             return;
 
-        _isDisposed = true;
-        try
+        using (_output)
         {
             if (_isEndOpen)
-                Write(_lastRowEnd);
-            Flush();
-        }
-        finally
-        {
-            if (!_leavesOpen)
-                _stream.Dispose();
+                _output.Write(_lastRowEnd);
         }
     }
 
@@ -137,16 +118,5 @@ public sealed class CalculationFileWriter : IDisposable
     {
         if (valueCount is not (CalculationFrame.FullValueCount or CalculationFrame.BodyValueCount))
             throw new ArgumentException("A row must have 946 or 338 values.", nameof(valueCount));
-    }
-
-    private void Write(ReadOnlySpan<byte> text)
-    {
-        if (_length + text.Length > _buffer.Length)
-            Flush();
-        if (text.Length > _buffer.Length)
-            throw new ArgumentException("The separator is too long.", nameof(text));
-
-        text.CopyTo(_buffer.AsSpan(_length));
-        _length += text.Length;
     }
 }

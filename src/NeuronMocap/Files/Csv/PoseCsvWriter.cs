@@ -20,24 +20,13 @@ namespace NeuronMocap.Csv;
 /// </remarks>
 public sealed class PoseCsvWriter : IDisposable
 {
-    private const int BufferSize = 1 << 16;
-    private const int LongestPrefix = 128;
-    private const int ValuesOfBone = 7;
-
-    // A row of the longest numbers.
-    private const int LongestRow = LongestPrefix + (BoneHierarchy.BoneCount * ValuesOfBone * (TextDigits.MaxSize + 1));
-
     // The avatars whose last rotations are remembered. A stream with more is not a performance.
     private const int MostFollowed = 1024;
 
-    private readonly Stream _stream;
-    private readonly bool _leavesOpen;
+    private readonly RowOutput _output;
     private readonly bool _isZUp;
     private readonly bool _isInMetres;
-    private readonly byte[] _buffer = new byte[BufferSize + LongestRow];
     private readonly Dictionary<int, Quaternion[]> _lastRotations = [];
-    private int _length;
-    private bool _isDisposed;
 
     /// <summary>Creates a file and writes the comments and the names of the columns. The file is complete after the writer is disposed.</summary>
     /// <param name="path">The path of the file. An existing file is replaced.</param>
@@ -58,11 +47,11 @@ public sealed class PoseCsvWriter : IDisposable
     {
         ArgumentNullException.ThrowIfNull(stream);
         options ??= new PoseCsvOptions();
-        _stream = stream;
-        _leavesOpen = leaveOpen;
+        _output = new RowOutput(stream, leaveOpen, 1 + TextDigits.MaxSize);
         _isZUp = options.UpAxis == UpAxis.Z;
         _isInMetres = options.Unit == LengthUnit.Metres;
-        _stream.Write(PoseCsvHeader.Create(options));
+        _output.Write(PoseCsvHeader.Create(options));
+        _output.Flush();
     }
 
     /// <summary>Number of rows written so far.</summary>
@@ -81,18 +70,18 @@ public sealed class PoseCsvWriter : IDisposable
     public void WriteRow(TimeSpan time, ReadOnlySpan<BoneTransform> world, int avatarIndex = 0, long? frameIndex = null, TimeSpan? arrival = null)
     {
         ForwardKinematics.CheckPose(world, nameof(world));
-        ObjectDisposedException.ThrowIf(_isDisposed, this);
+        ObjectDisposedException.ThrowIf(_output.IsDisposed, this);
 
-        _length += PoseCsvNumbers.WriteSeconds(_buffer.AsSpan(_length), time);
-        _buffer[_length++] = (byte)',';
-        _length += PoseCsvNumbers.WriteWhole(_buffer.AsSpan(_length), avatarIndex);
-        _buffer[_length++] = (byte)',';
+        _output.Advance(PoseCsvNumbers.WriteSeconds(_output.Free, time));
+        _output.Write(","u8);
+        _output.Advance(PoseCsvNumbers.WriteWhole(_output.Free, avatarIndex));
+        _output.Write(","u8);
         if (frameIndex is { } frame)
-            _length += PoseCsvNumbers.WriteWhole(_buffer.AsSpan(_length), frame);
+            _output.Advance(PoseCsvNumbers.WriteWhole(_output.Free, frame));
 
-        _buffer[_length++] = (byte)',';
+        _output.Write(","u8);
         if (arrival is { } received)
-            _length += PoseCsvNumbers.WriteSeconds(_buffer.AsSpan(_length), received);
+            _output.Advance(PoseCsvNumbers.WriteSeconds(_output.Free, received));
 
         Quaternion[]? last = FindLastRotations(avatarIndex);
         for (int bone = 0; bone < BoneHierarchy.BoneCount; bone++)
@@ -104,38 +93,18 @@ public sealed class PoseCsvWriter : IDisposable
             Write(rotation.W);
         }
 
-        _buffer[_length++] = (byte)'\n';
+        _output.Write("\n"u8);
         RowCount++;
-        if (_length >= BufferSize)
-            Flush();
     }
 
     /// <summary>Passes the rows written so far to the stream.</summary>
     /// <exception cref="IOException">The stream fails.</exception>
-    public void Flush()
-    {
-        _stream.Write(_buffer, 0, _length);
-        _length = 0;
-    }
+    public void Flush() => _output.Flush();
 
     /// <summary>Writes the rest of the rows and closes the stream.</summary>
     /// <exception cref="IOException">The stream fails.</exception>
-    public void Dispose()
-    {
-        if (_isDisposed)
-            return;
+    public void Dispose() => _output.Dispose();
 
-        _isDisposed = true;
-        try
-        {
-            Flush();
-        }
-        finally
-        {
-            if (!_leavesOpen)
-                _stream.Dispose();
-        }
-    }
     private Quaternion[]? FindLastRotations(int avatarIndex)
     {
         if (!_lastRotations.TryGetValue(avatarIndex, out Quaternion[]? last) && _lastRotations.Count < MostFollowed)
@@ -171,7 +140,8 @@ public sealed class PoseCsvWriter : IDisposable
 
     private void Write(float value)
     {
-        _buffer[_length++] = (byte)',';
-        _length += TextDigits.Write(_buffer.AsSpan(_length), value, decimals: 0);
+        Span<byte> text = _output.Free;
+        text[0] = (byte)',';
+        _output.Advance(1 + TextDigits.Write(text[1..], value, decimals: 0));
     }
 }

@@ -3,7 +3,6 @@ using System.Numerics;
 using System.Text;
 using NeuronMocap.Csv;
 using NeuronMocap.Skeleton;
-using NeuronMocap.Tests.Infrastructure;
 
 namespace NeuronMocap.Tests.Csv;
 
