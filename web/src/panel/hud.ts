@@ -39,10 +39,11 @@ export class Hud {
 
     this.fps = (this._loop.pictures - this._pictures) * 1000 / (now - this._since);
     this.delay = this._count > 0 ? this._delays / this._count : NaN;
+    const before = this._pictures;
     this._pictures = this._loop.pictures;
     this._since = now;
     this._delays = this._count = 0;
-    setText(this._fps, `${Math.round(this.fps)} fps`);
+    setText(this._fps, this._pictures === before ? "At rest" : `${Math.round(this.fps)} fps`);
     setText(this._delay, milliseconds(this.delay));
     this._delay.hidden = Number.isNaN(this.delay);
   }

@@ -78,6 +78,6 @@ export class Panel {
     if (page.feed.paused && connection.state === "open")
       this._overlay.hide();
     else
-      this._overlay.show(this.situation, page.performers.count > 0);
+      this._overlay.show(this.situation, page.performers.anyPosed);
   }
 }

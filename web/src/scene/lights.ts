@@ -1,8 +1,10 @@
 import { DirectionalLight, Group, HemisphereLight } from "three";
 import type { SceneColours } from "./colours";
 
-const ShadowReach = 5;
-const MapSize = 2048;
+const ShadowReach = 2.5;
+
+// How far a surface is moved for the comparison with the shadows, in their pixels: less gives stripes on round surfaces.
+const BiasInPixels = 3;
 
 /** Light from the sky, and a sun whose shadows follow the performers. */
 export class Lights {
@@ -14,9 +16,8 @@ export class Lights {
 
   constructor() {
     this._sun.castShadow = true;
-    this._sun.shadow.mapSize.set(MapSize, MapSize);
+    this._sun.shadow.mapSize.set(2048, 2048);
     this._sun.shadow.bias = -0.0004;
-    this._sun.shadow.normalBias = 0.02;
     this._sun.shadow.radius = 3;
     this._sun.shadow.camera.near = 1;
     this._sun.shadow.camera.far = 40;
@@ -29,7 +30,7 @@ export class Lights {
   cover(x: number, z: number, radius: number): void {
     this._sun.position.set(x + 4, 10, z + 6);
     this._sun.target.position.set(x, 0, z);
-    const reach = Math.max(ShadowReach, Math.ceil(radius));
+    const reach = Math.max(ShadowReach, Math.ceil(2 * radius) / 2);
     if (reach === this._reach)
       return;
 
@@ -38,6 +39,7 @@ export class Lights {
     camera.left = camera.bottom = -reach;
     camera.right = camera.top = reach;
     camera.updateProjectionMatrix();
+    this._fitBias();
   }
 
   /** Pixels of a side of the shadows' picture. */
@@ -45,6 +47,7 @@ export class Lights {
     this._sun.shadow.mapSize.set(pixels, pixels);
     this._sun.shadow.map?.dispose();
     this._sun.shadow.map = null;
+    this._fitBias();
   }
 
   paint(colours: SceneColours): void {
@@ -52,5 +55,9 @@ export class Lights {
     this._sky.groundColor.setHex(colours.ground);
     this._sky.intensity = colours.skyStrength;
     this._sun.intensity = colours.sunStrength;
+  }
+
+  private _fitBias(): void {
+    this._sun.shadow.normalBias = BiasInPixels * 2 * this._reach / this._sun.shadow.mapSize.x;
   }
 }

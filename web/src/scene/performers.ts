@@ -28,6 +28,16 @@ export class Performers {
     return this._byKey.size;
   }
 
+  /** Whether the stage shows somebody. */
+  get anyPosed(): boolean {
+    for (const performer of this._byKey.values()) {
+      if (performer.hasPose)
+        return true;
+    }
+
+    return false;
+  }
+
   get(key: string): Performer | undefined {
     return this._byKey.get(key);
   }

@@ -1,5 +1,5 @@
 import {
-  BufferAttribute, Color, DynamicDrawUsage, InstancedBufferAttribute, InstancedBufferGeometry, Mesh, ShaderMaterial, Vector2,
+  BufferAttribute, Color, DoubleSide, DynamicDrawUsage, InstancedBufferAttribute, InstancedBufferGeometry, Mesh, ShaderMaterial, Vector2,
 } from "three";
 import type { Body } from "./body";
 
@@ -9,9 +9,9 @@ const Seconds = 2.5;
 // For each limb, pieces between two poses. At 120 poses a second, they last as long as the trail.
 const PiecesPerLimb = 300;
 
-// A longer step between two poses is a jump in time or place. The trail does not join its ends.
-const LongestStep = 0.4;
-const LongestPause = 0.5;
+// What is longer, in seconds, or faster, in metres per second, is a jump in time or place. The trail does not join its ends.
+const LongestPause = 1;
+const Fastest = 15;
 
 const vertexShader = `
   attribute vec3 start;
@@ -79,6 +79,7 @@ export class Trails {
       vertexShader,
       fragmentShader,
       uniforms: { colour: { value: new Color(colour) }, now: { value: 0 }, seconds: { value: Seconds }, size: { value: size } },
+      side: DoubleSide,
       transparent: true,
       depthWrite: false,
     });
@@ -104,7 +105,7 @@ export class Trails {
       return;
 
     for (let limb = 0; limb < this._bones.length; limb++)
-      this._addPiece(limb, this._next * Limbs.length + limb, now);
+      this._addPiece(limb, this._next * Limbs.length + limb, now, pause * Fastest);
     this._upload(this._next, 1);
     this._next = (this._next + 1) % PiecesPerLimb;
     this._remember(time);
@@ -116,7 +117,7 @@ export class Trails {
     this._material.dispose();
   }
 
-  private _addPiece(limb: number, piece: number, now: number): void {
+  private _addPiece(limb: number, piece: number, now: number, longest: number): void {
     const positions = this._body.positions;
     const from = limb * 3, to = this._bones[limb] * 3, at = piece * 3;
     const start = this._start.array as Float32Array, end = this._end.array as Float32Array;
@@ -127,7 +128,7 @@ export class Trails {
       square += (end[at + i] - start[at + i]) ** 2;
     }
 
-    this._born.array[piece] = square < LongestStep * LongestStep ? now : -1e6;
+    this._born.array[piece] = square < longest * longest ? now : -1e6;
   }
 
   private _remember(time: number): void {

@@ -104,7 +104,7 @@ export class Views {
     this._following = follow;
     this._before.copy(this._centre);
     this._stage.floor.moveTo(this._centre.x, this._centre.z);
-    this._stage.lights.cover(this._centre.x, this._centre.z, this._spread + 3);
+    this._stage.lights.cover(this._centre.x, this._centre.z, this._spread + 2);
   }
 
   private _count(): number {
