@@ -17,16 +17,23 @@ internal sealed class Announcement(ViewOptions options, StandardStreams streams)
         if (!PageFiles.Exist)
             streams.Complain($"this build does not contain the page. Install Node.js, then run: {PageFiles.BuildCommand}");
         if (options.Port is null && server.LocalEndPoint.Port != ViewOptions.DefaultPort)
-            streams.Complain(string.Create(CultureInfo.InvariantCulture, $"port {ViewOptions.DefaultPort} is in use, perhaps by another viewer; this one is on port {server.LocalEndPoint.Port}."));
+            streams.Complain(DescribePort(server.LocalEndPoint.Port));
 
         // Scripts wait for this line.
         string own = PageLinks.OfThisComputer(server.LocalEndPoint, server.Token);
         _page.WriteLine($"Viewing {options.Source} on {own}");
-        WriteOthers([.. options.AllowedOrigins.Select(origin => PageLinks.OfProxy(origin, server.Token)), .. PageLinks.OfOthers(server.LocalEndPoint, server.Token)]);
+        WriteOthers(
+        [
+            .. options.AllowedOrigins.Select(origin => PageLinks.OfProxy(origin, server.Token)),
+            .. PageLinks.OfOthers(server.LocalEndPoint, server.Token),
+        ]);
         _page.WriteLine("Ctrl+C ends the program.");
         if (options.Open)
             BrowserStart.Open(own, streams);
     }
+
+    private static string DescribePort(int port) => string.Create(
+        CultureInfo.InvariantCulture, $"port {ViewOptions.DefaultPort} is in use, perhaps by another viewer; this one is on port {port}.");
 
     private void WriteOthers(IReadOnlyList<string> links)
     {

@@ -81,5 +81,6 @@ internal sealed class ViewArguments
         }
     }
 
-    private static bool IsToken(string word) => word.Length is > 0 and <= LongestToken && word.All(static letter => char.IsAsciiLetterOrDigit(letter) || letter is '-' or '.' or '_' or '~');
+    private static bool IsToken(string word) => word.Length is > 0 and <= LongestToken
+        && word.All(static letter => char.IsAsciiLetterOrDigit(letter) || letter is '-' or '.' or '_' or '~');
 }

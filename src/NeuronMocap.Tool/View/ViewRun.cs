@@ -4,7 +4,6 @@ using NeuronMocap.Server;
 using NeuronMocap.Tool.Arguments;
 using NeuronMocap.Tool.Simulate;
 using NeuronMocap.Tool.Terminal;
-using NeuronMocap.Tool.View.Access;
 using NeuronMocap.Tool.View.Actions;
 using NeuronMocap.Tool.View.Characters;
 using NeuronMocap.Tool.View.Control;

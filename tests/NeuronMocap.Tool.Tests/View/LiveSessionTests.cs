@@ -1,4 +1,3 @@
-using System.Net;
 using NeuronMocap.Server;
 using NeuronMocap.Tests.Infrastructure;
 using NeuronMocap.Tool.Arguments;

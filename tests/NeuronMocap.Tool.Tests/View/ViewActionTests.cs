@@ -1,7 +1,6 @@
 using System.Text.Json;
 using NeuronMocap.Recording;
 using NeuronMocap.Server;
-using NeuronMocap.Tests.Infrastructure;
 using NeuronMocap.Tool.Tests.Files;
 
 namespace NeuronMocap.Tool.Tests.View;

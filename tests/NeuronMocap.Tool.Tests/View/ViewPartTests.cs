@@ -1,4 +1,5 @@
 using System.Net;
+using System.Numerics;
 using NeuronMocap.Skeleton;
 using NeuronMocap.Tests.Infrastructure;
 using NeuronMocap.Tool.Tests.Infrastructure;
@@ -67,6 +68,15 @@ public sealed class ViewPartTests
             second ??= learner.Observe(taller, SkeletonVariant.Neck1, first, endSites: null);
 
         Assert.Equal(taller[1].Position, second!.Offsets[1]);
+    }
+
+    [Fact]
+    public void Every_body_can_be_written_as_JSON()
+    {
+        var offsets = new Vector3[BoneHierarchy.BoneCount];
+        offsets[1] = new Vector3(float.NaN, float.PositiveInfinity, 100);
+        PerformerJson performer = new Performer(new PerformerKey(0, 0), "Char00", 0, new SkeletonBody(offsets)).ToJson();
+        Assert.Equal([0, 0, 1], performer.Bones[1].Offset);
     }
 
     [Fact]

@@ -55,7 +55,8 @@ public sealed class ViewProcessTests : IDisposable
         Assert.SkipUnless(OperatingSystem.IsLinux(), "The program of other systems cannot be replaced.");
         ToolProcess.SkipWithoutInterrupt();
         string browser = _folder.Write("xdg-open", $"#!/bin/sh\necho \"$1\" > '{_folder["opened"]}.new' && /bin/mv '{_folder["opened"]}.new' '{_folder["opened"]}'\n");
-        File.SetUnixFileMode(browser, UnixFileMode.UserRead | UnixFileMode.UserExecute);
+        if (OperatingSystem.IsLinux())
+            File.SetUnixFileMode(browser, UnixFileMode.UserRead | UnixFileMode.UserExecute);
         using var view = new ToolProcess(("PATH", _folder[string.Empty]), "neuron-mocap", ["view", "demo", "--port", "0", "--open", "--token", "word"]);
         Uri link = await ReadLinkAsync(view);
         await Limits.UntilAsync(() => File.Exists(_folder["opened"]));
@@ -73,7 +74,7 @@ public sealed class ViewProcessTests : IDisposable
         int port = ((IPEndPoint)other.LocalEndpoint).Port;
         ToolResult result = await ToolRunner.RunAsync("view", "demo", "--port", $"{port}");
         Assert.Equal(1, result.ExitCode);
-        Assert.Equal($"neuron-mocap: --port: port {port} on 127.0.0.1 is in use by another program; close that program, or choose another port (0 takes any free port).", Assert.Single(result.Error).TrimEnd());
+        Assert.StartsWith($"neuron-mocap: --port: port {port} on 127.0.0.1 is in use by another program; ", Assert.Single(result.Error), StringComparison.Ordinal);
     }
 
     [Fact]
@@ -84,8 +85,7 @@ public sealed class ViewProcessTests : IDisposable
             ToolRunner.RunAsync("view", "demo", "--duration", "3"),
             ToolRunner.RunAsync("view", "demo", "--duration", "3"));
         Assert.All(results, static result => Assert.Equal(0, result.ExitCode));
-        int[] ports = [.. results.Select(static result => new Uri(Array.Find(result.Output, static line => line.StartsWith(Start, StringComparison.Ordinal))![Start.Length..]).Port)];
-        Assert.NotEqual(ports[0], ports[1]);
+        Assert.NotEqual(PortOf(results[0]), PortOf(results[1]));
         Assert.Contains(results, static result => Array.Exists(result.Error, static line => line.Contains("is in use, perhaps by another viewer", StringComparison.Ordinal)));
     }
 
@@ -122,6 +122,8 @@ public sealed class ViewProcessTests : IDisposable
         result = await ToolRunner.RunOnTerminalAsync(100, "view", "demo", "--port", "0", "--duration", "0.1");
         Assert.DoesNotContain(result.Output, static line => line.Contains('▀', StringComparison.Ordinal) || line.Contains("token", StringComparison.Ordinal));
     }
+
+    private static int PortOf(ToolResult result) => new Uri(result.Output[0][Start.Length..]).Port;
 
     private static Task<ViewSocket> ConnectAsync(Uri link, string path) =>
         ViewSocket.ConnectAsync(new UriBuilder(link) { Scheme = "ws", Path = path }.Uri, path == "/motion" ? "pose" : null, configure: null);

@@ -27,7 +27,12 @@ internal static class BrowserStart
             return new ProcessStartInfo(link) { UseShellExecute = true };
 
         // The words of the browser would mix with those of this program.
-        return new ProcessStartInfo(OperatingSystem.IsMacOS() ? "open" : "xdg-open", [link]) { RedirectStandardOutput = true, RedirectStandardError = true };
+        return new ProcessStartInfo(OperatingSystem.IsMacOS() ? "open" : "xdg-open", [link])
+        {
+            UseShellExecute = false,
+            RedirectStandardOutput = true,
+            RedirectStandardError = true,
+        };
     }
 
     // xdg-open starts and then finds no browser.

@@ -15,7 +15,7 @@ internal sealed record RecordingMessage(string State, string? File, double Secon
 
     public static RecordingMessage None { get; } = new(Idle, File: null, 0, 0);
 
-    public string Type => "recording";
+    public string Type { get; } = "recording";
 
     /// <summary>The id of the take that the finished recording has become; null for none.</summary>
     public string? Take { get; init; }

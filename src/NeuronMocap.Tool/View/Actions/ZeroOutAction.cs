@@ -27,7 +27,8 @@ internal sealed class ZeroOutAction(ServerAddress? commands, IPAddress? localAdd
         if (commands is not { } server)
         {
             throw ApiException.Conflict(
-                $"The program does not know the command channel of this source. Start {ToolCommand.Name} view with --command-port, usually {ProtocolConstants.DefaultCommandPort}.");
+                "The program does not know the command channel of this source. "
+                + $"Start {ToolCommand.Name} view with --command-port, usually {ProtocolConstants.DefaultCommandPort}.");
         }
 
         if (request.Avatar < 0)

@@ -38,7 +38,9 @@ internal sealed class ControlHub(Func<IReadOnlyList<object>> greeting) : IViewPa
 
     public void Map(IEndpointRouteBuilder endpoints)
     {
-        IApplicationBuilder application = endpoints.CreateApplicationBuilder().Use(LimitedInput.InsertAsync).UseWebSockets(new WebSocketOptions { KeepAliveInterval = KeepAliveInterval });
+        IApplicationBuilder application = endpoints.CreateApplicationBuilder()
+            .Use(LimitedInput.InsertAsync)
+            .UseWebSockets(new WebSocketOptions { KeepAliveInterval = KeepAliveInterval });
         application.Run(HandleAsync);
         endpoints.Map("/control", application.Build());
         endpoints.MapGet("/api/hello", context => ApiJson.WriteAsync(context, greeting()[0]));

@@ -13,5 +13,5 @@ namespace NeuronMocap.Tool.View.Control;
 internal sealed record HelloJson(string Name, string Version, string Mode, string Source, string? Take, bool CanCommand, IReadOnlyList<PerformerJson> Performers)
 {
     /// <summary>The kind of a message on /control.</summary>
-    public string Type => "hello";
+    public string Type { get; } = "hello";
 }

@@ -11,23 +11,23 @@ internal sealed record PerformerMessage(string Key, string Name, int Index, stri
     {
     }
 
-    public string Type => "performer";
+    public string Type { get; } = "performer";
 }
 
 /// <summary>A performer has left.</summary>
 internal sealed record GoneMessage(string Key)
 {
-    public string Type => "gone";
+    public string Type { get; } = "gone";
 }
 
 /// <summary>A take was opened: by a page, or because a recording has ended.</summary>
 internal sealed record TakeMessage(string Id)
 {
-    public string Type => "take";
+    public string Type { get; } = "take";
 }
 
 /// <summary>Something that the user must know.</summary>
 internal sealed record ProblemMessage(string Text)
 {
-    public string Type => "problem";
+    public string Type { get; } = "problem";
 }

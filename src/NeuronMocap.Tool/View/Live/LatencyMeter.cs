@@ -22,7 +22,8 @@ internal sealed class LatencyMeter
     {
         lock (_lock)
         {
-            Dictionary<PerformerKey, double> means = _sums.ToDictionary(static pair => pair.Key, static pair => pair.Value.Sum.TotalMilliseconds / pair.Value.Count);
+            Dictionary<PerformerKey, double> means = _sums.ToDictionary(
+                static pair => pair.Key, static pair => pair.Value.Sum.TotalMilliseconds / pair.Value.Count);
             _sums.Clear();
             return means;
         }

@@ -53,7 +53,8 @@ internal sealed class LiveStatus(NeuronReader reader, string source, LivePerform
             return (status.Title(), status.Describe());
 
         bool hasMotion = avatars.Any(static avatar => avatar.Kind == PacketKind.Motion);
-        if ((!hasMotion || performers.ValuesWithoutSkeleton is not null) && MissingSkeleton.Explain(performers.ValuesWithoutSkeleton, avatars.Count > 0) is { } problem)
+        int? values = performers.ValuesWithoutSkeleton;
+        if ((!hasMotion || values is not null) && MissingSkeleton.Explain(values, avatars.Count > 0) is { } problem)
             return problem;
 
         return (status.Title(), status.Reason == ConnectionReason.None ? string.Empty : status.Describe());
@@ -65,10 +66,13 @@ internal sealed class LiveStatus(NeuronReader reader, string source, LivePerform
         bool isStale = avatar.GetAge(Stopwatch.GetTimestamp()) > TimeSpan.FromSeconds(1);
         return new PerformerFigures(
             key.ToString(),
-            isStale ? 0 : Math.Round(avatar.FrameRate, 1),
-            _latencies.TryGetValue(key, out double milliseconds) ? Math.Round(milliseconds, 2) : null,
-            Math.Round(avatar.Jitter.TotalMilliseconds, 2),
+            isStale ? 0 : Round(avatar.FrameRate, 1),
+            _latencies.TryGetValue(key, out double milliseconds) ? Round(milliseconds, 2) : null,
+            Round(avatar.Jitter.TotalMilliseconds, 2),
             avatar.Lost,
             avatar.OutOfOrder);
     }
+
+    // JSON has only finite numbers.
+    private static double Round(double value, int digits) => double.IsFinite(value) ? Math.Round(value, digits) : 0;
 }

@@ -11,7 +11,7 @@ namespace NeuronMocap.Tool.View.Live;
 internal sealed record StatusMessage(
     string State, string Words, string Advice, string Address, IReadOnlyList<PerformerFigures> Performers, double BytesPerSecond, long Reconnects)
 {
-    public string Type => "status";
+    public string Type { get; } = "status";
 
     /// <summary>Milliseconds until the next attempt to connect; null if none is planned.</summary>
     public double? RetryIn { get; init; }

@@ -31,7 +31,10 @@ internal sealed record Performer(PerformerKey Key, string Name, int Index, Skele
 
     private string? ParentOf(Bone bone) => BoneHierarchy.GetParent(bone, Body.Variant) is { } parent ? NameOf(parent) : null;
 
-    private static float[] ToMetres(Vector3 offset) => [offset.X * MetresPerCentimetre, offset.Y * MetresPerCentimetre, offset.Z * MetresPerCentimetre];
+    private static float[] ToMetres(Vector3 offset) => [ToMetres(offset.X), ToMetres(offset.Y), ToMetres(offset.Z)];
+
+    // A server can report any number, but JSON has only finite ones.
+    private static float ToMetres(float centimetres) => float.IsFinite(centimetres) ? centimetres * MetresPerCentimetre : 0;
 }
 
 /// <summary>A performer as the page gets it.</summary>

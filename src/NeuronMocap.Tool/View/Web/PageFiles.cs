@@ -56,7 +56,9 @@ internal static class PageFiles
 
         context.Response.Headers[HeaderNames.ContentType] = type;
         context.Response.ContentLength = bytes.Length;
-        return HttpMethods.IsHead(context.Request.Method) ? Task.CompletedTask : context.Response.Body.WriteAsync(bytes, context.RequestAborted).AsTask();
+        return HttpMethods.IsHead(context.Request.Method)
+            ? Task.CompletedTask
+            : context.Response.Body.WriteAsync(bytes, context.RequestAborted).AsTask();
     }
 
     private static Task SayMissingAsync(HttpContext context)

@@ -86,7 +86,10 @@ internal sealed class ScratchFolder(long mostBytes) : IDisposable
         lock (_lock)
         {
             if (_sizes.Values.Sum() + length > mostBytes)
-                throw new ApiException(StatusCodes.Status507InsufficientStorage, "There is no room for another file. Close the program and start it again to empty its folder.");
+            {
+                throw new ApiException(
+                    StatusCodes.Status507InsufficientStorage, "There is no room for another file. Close the program and start it again to empty its folder.");
+            }
 
             _sizes[path] = _sizes.GetValueOrDefault(path) + length;
         }
