@@ -23,6 +23,7 @@ export class TakePlayer {
   private readonly _base: string;
   private _time = NaN;
   private _fresh = false;
+  private _isDisposed = false;
 
   constructor(page: Page, playback: Playback, id: string) {
     this._page = page;
@@ -44,6 +45,9 @@ export class TakePlayer {
         this._fresh = true;
       };
       const { step, times } = await this._page.api.get<{ step: number; times: number[] }>(`${this._base}/times?${query}`);
+      if (this._isDisposed)
+        return;
+
       shown.track.update(performer, step, times);
       this._page.performers.put(toPerformer(performer));
       this._fresh = true;
@@ -98,6 +102,7 @@ export class TakePlayer {
   }
 
   dispose(): void {
+    this._isDisposed = true;
     for (const { track } of this._performers) {
       track.cache.onLoad = null;
       track.cache.clear();

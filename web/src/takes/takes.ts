@@ -31,6 +31,7 @@ class TakeScreen implements Takes {
   private _removeKeys: (() => void) | null = null;
   private _readoutAt = 0;
   private _wasPlaying = false;
+  private _hasBegun = false;
 
   constructor(page: Page) {
     this._page = page;
@@ -59,8 +60,8 @@ class TakeScreen implements Takes {
     page.drops.add({
       what: "takes (BVH, .nmrec, .calc)",
       endings: Endings,
-      accepts: files => files.some(file => Endings.some(ending => file.name.toLowerCase().endsWith(ending))),
-      take: files => void this._upload(files.find(file => Endings.some(ending => file.name.toLowerCase().endsWith(ending)))!),
+      accepts: files => findTake(files) !== undefined,
+      take: files => void this._upload(findTake(files)!),
     });
   }
 
@@ -80,8 +81,6 @@ class TakeScreen implements Takes {
     this._page.slots.timeline.replaceChildren(this._transport.element, this._timeline.element, this._plot.element);
     this._removeKeys = this._transport.addKeys(this._page.keys);
     await this._show(info, player);
-    if (this._player === player && info.performers.some(performer => performer.frames > 1) && !matchMedia("(prefers-reduced-motion: reduce)").matches)
-      this._playback.toggle();
     void this._watch(player, info);
   }
 
@@ -97,6 +96,7 @@ class TakeScreen implements Takes {
 
   private _leave(): void {
     this._current = null;
+    this._hasBegun = false;
     this._player?.dispose();
     this._player = null;
     this._contacts = [];
@@ -139,7 +139,6 @@ class TakeScreen implements Takes {
   }
 
   private async _show(info: TakeInfo, player: TakePlayer): Promise<void> {
-    const started = this._playback.duration > 0;
     this._playback.duration = info.duration;
     this._view.setDuration(info.duration);
     this._section.show(info);
@@ -150,11 +149,18 @@ class TakeScreen implements Takes {
     if (this._player !== player)
       return;
 
-    // Recordings begin before their first frame.
-    if (!started && info.performers.length > 0)
-      this._seek(Math.min(...info.performers.map(performer => performer.start)));
+    if (!this._hasBegun && info.performers.length > 0)
+      this._begin(info);
     this._drawLanes(info);
     this._plot.show(info);
+  }
+
+  // Recordings begin before their first frame.
+  private _begin(info: TakeInfo): void {
+    this._hasBegun = true;
+    this._seek(Math.min(...info.performers.map(performer => performer.start)));
+    if (info.performers.some(performer => performer.frames > 1) && !matchMedia("(prefers-reduced-motion: reduce)").matches)
+      this._playback.toggle();
   }
 
   private _drawLanes(info: TakeInfo): void {
@@ -246,4 +252,12 @@ class TakeScreen implements Takes {
     this._timeline.draw();
     this._plot.plot.draw();
   }
+}
+
+// The server decides by the contents. Files with a character among them are not for it.
+function findTake(files: readonly File[]): File | undefined {
+  if (files.some(file => /\.(vrm|glb|gltf|fbx)$/i.test(file.name)))
+    return undefined;
+
+  return files.find(file => Endings.some(ending => file.name.toLowerCase().endsWith(ending))) ?? (files.length === 1 ? files[0] : undefined);
 }

@@ -11,7 +11,7 @@ internal sealed record TakeCurve(double[] Times, float[] Lowest, float[] Highest
 {
     private const double Microseconds = 1000; // in a millisecond
     private const int BlocksPerRead = 64;
-    private const int BlocksPerPoint = 2;
+    private const int BlocksPerPoint = 1;
 
     /// <summary>The units, in the order of <see cref="CurveQuantity"/>.</summary>
     public static IReadOnlyList<string> Units { get; } = ["m", "°", "m/s"];

@@ -11,6 +11,7 @@ internal sealed class TakePerformer : IDisposable
     public const int SummaryValues = BoneHierarchy.BoneCount * FrameMeter.Quantities * 2;
 
     private readonly ContactFinder _contacts;
+    private double _rate = double.NaN;
 
     public TakePerformer(string key, int index, string name, int avatarIndex, SkeletonBody body, RecordFile poses, RecordFile summaries, TakeTimes times, ContactFinder contacts)
     {
@@ -41,7 +42,11 @@ internal sealed class TakePerformer : IDisposable
     public TakeTimes Times { get; }
 
     /// <summary>Frames per second; null if the times do not give a rate.</summary>
-    public double? Rate { get; set; }
+    public double? Rate
+    {
+        get => Volatile.Read(ref _rate) is var rate && double.IsNaN(rate) ? null : rate;
+        set => Volatile.Write(ref _rate, value ?? double.NaN);
+    }
 
     /// <summary>Number of frames that can be read.</summary>
     public long Frames => Poses.Count;
