@@ -38,8 +38,8 @@ public sealed class ToolDependencyTests
         ["View/Actions"] = ["Arguments", "Output", "Terminal", "View/Control", "View/Live", "View/Takes", "View/Web", "Watch/Recordings"],
         ["View"] =
         [
-            "Arguments", "Listening", "Simulate", "Terminal", "View/Access", "View/Actions", "View/Characters", "View/Control", "View/Figures", "View/Live", "View/Performers",
-            "View/Takes", "View/Web",
+            "Arguments", "Listening", "Simulate", "Terminal", "View/Access", "View/Actions", "View/Characters", "View/Control", "View/Figures", "View/Live",
+            "View/Performers", "View/Takes", "View/Web",
         ],
         ["Play"] = ["Arguments", "Terminal", "Watch", "Watch/Export", "Watch/Playback"],
     });

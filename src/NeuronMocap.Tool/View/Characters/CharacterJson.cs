@@ -17,12 +17,14 @@ internal sealed record NewCharacterJson(
 {
     /// <exception cref="ApiException">The nodes are missing, or a vector has another number of components.</exception>
     public IReadOnlyList<CharacterNode> ReadNodes() =>
-        [.. (Nodes ?? throw ApiException.BadRequest("The character has no nodes.")).Select(static node => (node ?? new NodeJson(null, null, null, null, null)).Read())];
+        Nodes is null ? throw ApiException.BadRequest("The character has no nodes.") : [.. Nodes.Select(static node => (node ?? NodeJson.AtRest).Read())];
 }
 
 /// <summary>A node in glTF's axes, in metres. What is missing is at rest.</summary>
 internal sealed record NodeJson(string? Name, int? Parent, float[]? Translation, float[]? Rotation, float[]? Scale)
 {
+    public static NodeJson AtRest { get; } = new(null, null, null, null, null);
+
     public CharacterNode Read() => new(
         Name ?? string.Empty,
         Parent ?? -1,

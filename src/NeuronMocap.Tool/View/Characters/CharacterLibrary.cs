@@ -38,7 +38,9 @@ internal sealed class CharacterLibrary(LiveSession? live, ITakeLibrary takes) : 
         endpoints.MapPut("/api/characters/{id}", ChangeAsync);
         endpoints.MapDelete("/api/characters/{id}", RemoveAsync);
         endpoints.MapGet("/api/takes/{id}/characters/{character}/poses", SendPosesAsync);
-        IApplicationBuilder application = endpoints.CreateApplicationBuilder().Use(LimitedInput.InsertAsync).UseWebSockets(new WebSocketOptions { KeepAliveInterval = KeepAliveInterval });
+        IApplicationBuilder application = endpoints.CreateApplicationBuilder()
+            .Use(LimitedInput.InsertAsync)
+            .UseWebSockets(new WebSocketOptions { KeepAliveInterval = KeepAliveInterval });
         application.Run(ServeAsync);
         endpoints.Map("/characters/{id}/motion", application.Build());
     }
@@ -49,7 +51,8 @@ internal sealed class CharacterLibrary(LiveSession? live, ITakeLibrary takes) : 
     {
         lock (_lock)
         {
-            if (!uint.TryParse(id, NumberStyles.None, CultureInfo.InvariantCulture, out uint number) || !_characters.TryGetValue(number, out CharacterMotion? motion))
+            bool isNumber = uint.TryParse(id, NumberStyles.None, CultureInfo.InvariantCulture, out uint number);
+            if (!isNumber || !_characters.TryGetValue(number, out CharacterMotion? motion))
                 throw ApiException.NotFound("The program does not know this character any more. Drop it on the page again.");
 
             motion.LastUse = Stopwatch.GetTimestamp();

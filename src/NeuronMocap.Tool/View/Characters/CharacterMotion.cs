@@ -99,7 +99,8 @@ internal sealed class CharacterMotion(Character character, LiveSession? live)
         if (!_poser.TryTake(_local, contacts, seconds))
             return;
 
-        int size = CharacterPose.Encode(state.Rig, _poser.Pose, character.Id, (DateTime.UtcNow - motion.Age - DateTime.UnixEpoch).Ticks / TimeSpan.TicksPerMicrosecond, _bytes);
+        long microseconds = (DateTime.UtcNow - motion.Age - DateTime.UnixEpoch).Ticks / TimeSpan.TicksPerMicrosecond;
+        int size = CharacterPose.Encode(state.Rig, _poser.Pose, character.Id, microseconds, _bytes);
         Interlocked.Increment(ref _posed);
         foreach (CharacterListener listener in Volatile.Read(ref _listeners))
             listener.Put(_bytes.AsSpan(0, size));

@@ -57,7 +57,8 @@ public sealed class CharacterMotionTests
 
             // These rigs are not turned at rest.
             Quaternion turn = performer[(int)bone.Source].Rotation;
-            Characters.AssertNear(Vector3.Transform(Vector3.UnitX, turn), Vector3.TransformNormal(Vector3.UnitX, world[bone.Node]), Rounding, nodes[bone.Node].Name);
+            Vector3 side = Vector3.TransformNormal(Vector3.UnitX, world[bone.Node]);
+            Characters.AssertNear(Vector3.Transform(Vector3.UnitX, turn), side, Rounding, nodes[bone.Node].Name);
         }
     }
 
@@ -97,7 +98,11 @@ public sealed class CharacterMotionTests
             .. nodes.Select((node, i) => node.Parent switch
             {
                 -1 => node with { Rotation = standing, Scale = new Vector3(0.01f) },
-                0 => node with { Translation = Vector3.Transform(node.Translation * 100, Quaternion.Conjugate(standing)), Rotation = Quaternion.Conjugate(standing) },
+                0 => node with
+                {
+                    Translation = Vector3.Transform(node.Translation * 100, Quaternion.Conjugate(standing)),
+                    Rotation = Quaternion.Conjugate(standing),
+                },
                 _ => node with { Translation = node.Translation * 100 },
             }),
         ];

@@ -18,7 +18,9 @@ public sealed class CharacterRigTests
             .ToDictionary(static bone => VrmBoneNames.Of(bone.Humanoid!.Value), static bone => bone.Node);
         var mapped = CharacterRig.Create(nodes, humanoid);
         Assert.Equal(humanoid.Count, mapped.Bones.Length);
-        Assert.All(mapped.Bones.ToArray(), bone => Assert.Contains(bone with { Source = named.Bones.ToArray().First(one => one.Node == bone.Node).Source }, named.Bones.ToArray()));
+        Assert.Equal(
+            named.Bones.ToArray().Where(static bone => bone.Humanoid is not null).Select(static bone => (bone.Node, bone.Humanoid)),
+            mapped.Bones.ToArray().Select(static bone => (bone.Node, bone.Humanoid)));
     }
 
     [Fact]
@@ -62,7 +64,13 @@ public sealed class CharacterRigTests
     [Fact]
     public void A_character_without_legs_moves_and_says_what_it_lacks()
     {
-        CharacterNode[] nodes = [.. Characters.OfRig("ready-player-me").Select(static node => node.Name.Contains("Leg", StringComparison.Ordinal) ? node with { Name = $"x{node.Name.Length}" } : node)];
+        CharacterNode[] nodes = Characters.OfRig("ready-player-me");
+        for (int i = 0; i < nodes.Length; i++)
+        {
+            if (nodes[i].Name.Contains("Leg", StringComparison.Ordinal))
+                nodes[i] = nodes[i] with { Name = $"x{i}" };
+        }
+
         string problem = Assert.Single(CharacterRig.Create(nodes).Problems);
         Assert.Contains("leftUpperLeg", problem, StringComparison.Ordinal);
     }
@@ -87,13 +95,15 @@ public sealed class CharacterRigTests
     {
         CharacterNode[] nodes = Characters.OfRig("mixamo");
         Assert.Contains("nodes", Refusal([]), StringComparison.Ordinal);
-        Assert.Contains("nodes", Refusal([.. Enumerable.Range(0, CharacterRig.MaxNodes + 1).Select(static i => new CharacterNode($"{i}", i - 1, Vector3.One))]), StringComparison.Ordinal);
+        CharacterNode[] many = [.. Enumerable.Range(0, CharacterRig.MaxNodes + 1).Select(static i => new CharacterNode($"{i}", i - 1, Vector3.One))];
+        Assert.Contains("nodes", Refusal(many), StringComparison.Ordinal);
         Assert.Contains("before its parent", Refusal([nodes[0] with { Parent = 3 }, .. nodes[1..]]), StringComparison.Ordinal);
-        Assert.Contains("not a number", Refusal([nodes[0] with { Translation = new Vector3(float.PositiveInfinity) }, .. nodes[1..]]), StringComparison.Ordinal);
+        CharacterNode infinite = nodes[0] with { Translation = new Vector3(float.PositiveInfinity) };
+        Assert.Contains("not a number", Refusal([infinite, .. nodes[1..]]), StringComparison.Ordinal);
         Assert.Contains("length zero", Refusal([nodes[0] with { Rotation = default }, .. nodes[1..]]), StringComparison.Ordinal);
         Assert.Contains("scale of zero", Refusal([nodes[0] with { Scale = Vector3.Zero }, .. nodes[1..]]), StringComparison.Ordinal);
         Assert.Contains("does not exist", Refusal(nodes, new Dictionary<string, int> { ["hips"] = nodes.Length }), StringComparison.Ordinal);
-        Assert.All([Refusal([]), Refusal([nodes[0] with { Rotation = default }, .. nodes[1..]])], static message => Assert.DoesNotContain("Parameter", message, StringComparison.Ordinal));
+        Assert.DoesNotContain("Parameter", Refusal([nodes[0] with { Rotation = default }, .. nodes[1..]]), StringComparison.Ordinal);
     }
 
     private static string Refusal(CharacterNode[] nodes, Dictionary<string, int>? humanoid = null) =>

@@ -24,7 +24,8 @@ internal sealed class CharacterServer : IAsyncDisposable
     private readonly HttpClient _http;
     private readonly ScratchFolder _scratch;
 
-    private CharacterServer(NeuronReader reader, ControlHub hub, LiveSession live, ScratchFolder scratch, ITakeLibrary takes, CharacterLibrary library, ViewServer server)
+    private CharacterServer(
+        NeuronReader reader, ControlHub hub, LiveSession live, ScratchFolder scratch, ITakeLibrary takes, CharacterLibrary library, ViewServer server)
     {
         (_reader, _hub, _live, _scratch, Takes, Library, _server) = (reader, hub, live, scratch, takes, library, server);
         _http = new HttpClient { BaseAddress = new Uri($"http://{server.LocalEndPoint}/"), Timeout = Limit };

@@ -81,7 +81,8 @@ public sealed class CharacterServerTests
         await CharacterServer.UntilAsync(() => server.FramesTaken > 10, "frames of others arrive");
         Assert.Equal(0, motion.Posed);
 
-        (int status, JsonElement body) = await server.SendAsync(HttpMethod.Put, $"api/characters/{id}", new JsonObject { ["performer"] = "0-1", ["plant"] = false });
+        var change = new JsonObject { ["performer"] = "0-1", ["plant"] = false };
+        (int status, JsonElement body) = await server.SendAsync(HttpMethod.Put, $"api/characters/{id}", change);
         Assert.Equal((200, 59), (status, body.GetProperty("bones").GetArrayLength()));
         Assert.False(motion.Character.State.PlantsFeet);
         Assert.NotEmpty(await CharacterServer.ReceiveAsync(socket));

@@ -109,8 +109,8 @@ public sealed class CharacterTakeTests : IDisposable
         while (true)
         {
             (_, JsonElement info) = await server.SendAsync(HttpMethod.Get, $"api/takes/{take}");
-            if (info.GetProperty("progress").GetDouble() == 1 && info.GetProperty("performers")[0] is var performer && performer.GetProperty("frames").GetInt32() == Frames)
-                return (take, performer.GetProperty("key").GetString()!);
+            if (info.GetProperty("progress").GetDouble() == 1 && info.GetProperty("performers")[0].GetProperty("frames").GetInt32() == Frames)
+                return (take, info.GetProperty("performers")[0].GetProperty("key").GetString()!);
 
             await Task.Delay(5, TestContext.Current.CancellationToken);
         }

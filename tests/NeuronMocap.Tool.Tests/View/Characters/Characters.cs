@@ -15,7 +15,9 @@ internal static class Characters
     public static CharacterNode[] OfBody(SkeletonBody body) =>
     [
         .. BoneHierarchy.Bones.ToArray().Select(bone => new CharacterNode(
-            BoneHierarchy.GetName(bone, body.Variant), BoneHierarchy.GetParent(bone, body.Variant) is { } parent ? (int)parent : -1, body.GetOffset(bone) / 100)),
+            BoneHierarchy.GetName(bone, body.Variant),
+            BoneHierarchy.GetParent(bone, body.Variant) is { } parent ? (int)parent : -1,
+            body.GetOffset(bone) / 100)),
     ];
 
     /// <summary>Loads a skeleton with the names of another program.</summary>
