@@ -5,8 +5,8 @@ internal static class Alternation
 {
     public static async Task<List<Row>> RunAsync(string @case, int runs, Way floor, IReadOnlyList<Way> ways, IReadOnlyList<Aim> aims)
     {
-        List<Figures> floors = [];
-        List<Figures>[] results = [.. ways.Select(static _ => new List<Figures>())];
+        List<Measurements> floors = [];
+        List<Measurements>[] results = [.. ways.Select(static _ => new List<Measurements>())];
 
         // The first round is a warm-up and does not count.
         for (int run = 0; run <= runs; run++)
@@ -29,15 +29,15 @@ internal static class Alternation
         return rows;
     }
 
-    private static async Task MeasureAsync(Way way, int run, List<Figures> results)
+    private static async Task MeasureAsync(Way way, int run, List<Measurements> results)
     {
         // Keeps garbage of an earlier run from being collected during this one.
         GC.Collect();
         GC.WaitForPendingFinalizers();
-        Figures figures = await way.RunAsync();
+        Measurements figures = await way.RunAsync();
         if (run > 0)
             results.Add(figures);
     }
 
-    private static double[] Pick(List<Figures> results, string figure) => [.. results.Select(figures => figures[figure])];
+    private static double[] Pick(List<Measurements> results, string figure) => [.. results.Select(figures => figures[figure])];
 }

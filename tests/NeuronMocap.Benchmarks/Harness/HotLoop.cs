@@ -7,7 +7,7 @@ internal static class HotLoop
 {
     public const int Rounds = 200_000;
 
-    public static Figures Measure(Action<int> step)
+    public static Measurements Measure(Action<int> step)
     {
         for (int i = 0; i < 1000; i++)
             step(i);
@@ -19,6 +19,6 @@ internal static class HotLoop
 
         double nanoseconds = Stopwatch.GetElapsedTime(start).TotalMilliseconds * 1e6 / Rounds;
         allocated = RuntimeFigures.AllocatedBytesOfThread - allocated;
-        return new Figures { ["ns/frame"] = nanoseconds, ["B/frame"] = allocated / (double)Rounds };
+        return new Measurements { ["ns/frame"] = nanoseconds, ["B/frame"] = allocated / (double)Rounds };
     }
 }

@@ -39,14 +39,14 @@ internal static class Broadcast
         return report.End();
     }
 
-    public static async Task<Figures> PacedAsync(int count, double seconds, bool withIdler)
+    public static async Task<Measurements> PacedAsync(int count, double seconds, bool withIdler)
     {
         using Broadcaster server = CreateServer(Rate, (long)(Rate * seconds));
         server.Start();
         return await MeasureAsync(server.LocalEndPoint!.Port, count, withIdler, (long)(Rate * seconds), () => server.Completion);
     }
 
-    public static async Task<Figures> FloodAsync(int count, int frames)
+    public static async Task<Measurements> FloodAsync(int count, int frames)
     {
         using Broadcaster server = CreateServer(BroadcasterOptions.MaxFrameRate, frames);
         server.Start();
@@ -54,7 +54,7 @@ internal static class Broadcast
         using Peer sinks = await StartSinksAsync(server.LocalEndPoint!.Port, count, withIdler: false);
         (long received, double elapsed) = await ReadResultAsync(sinks);
         cpu = Environment.CpuUsage.TotalTime - cpu;
-        return new Figures { [Speed] = received * count / elapsed, [Check.Cpu] = cpu.TotalNanoseconds / ((double)received * count), ["lost"] = frames - received };
+        return new Measurements { [Speed] = received * count / elapsed, [Check.Cpu] = cpu.TotalNanoseconds / ((double)received * count), ["lost"] = frames - received };
     }
 
     private static Broadcaster CreateServer(double rate, long frames) => new(new BroadcasterOptions
@@ -68,7 +68,7 @@ internal static class Broadcast
         CloseTimeout = TimeSpan.FromSeconds(1),
     });
 
-    private static async Task<Figures> RawPacedAsync(int count, double seconds)
+    private static async Task<Measurements> RawPacedAsync(int count, double seconds)
     {
         using var listener = Listen(count);
         byte[] packet = TestFrame.Create();
@@ -85,7 +85,7 @@ internal static class Broadcast
         return await MeasureAsync(((IPEndPoint)listener.LocalEndpoint).Port, count, withIdler: false, frames, () => serving);
     }
 
-    public static async Task<Figures> RawFloodAsync(int count, int frames)
+    public static async Task<Measurements> RawFloodAsync(int count, int frames)
     {
         using var listener = Listen(count);
         const int PerWrite = 88;
@@ -100,10 +100,10 @@ internal static class Broadcast
         (long received, double elapsed) = await ReadResultAsync(sinks);
         cpu = Environment.CpuUsage.TotalTime - cpu;
         await serving;
-        return new Figures { [Speed] = received * count / elapsed, [Check.Cpu] = cpu.TotalNanoseconds / ((double)received * count) };
+        return new Measurements { [Speed] = received * count / elapsed, [Check.Cpu] = cpu.TotalNanoseconds / ((double)received * count) };
     }
 
-    private static async Task<Figures> MeasureAsync(int port, int count, bool withIdler, long frames, Func<Task> completion)
+    private static async Task<Measurements> MeasureAsync(int port, int count, bool withIdler, long frames, Func<Task> completion)
     {
         using Peer sinks = await StartSinksAsync(port, count, withIdler);
         TimeSpan cpu = Environment.CpuUsage.TotalTime;
@@ -113,7 +113,7 @@ internal static class Broadcast
 
         // The first client starts the frames. The others miss the frames sent while they connect.
         bool all = received >= frames - (Rate * count / 100) - 12;
-        return new Figures { [Cost] = cpu.TotalMicroseconds / (received * count), ["lost"] = all ? 0 : frames - received };
+        return new Measurements { [Cost] = cpu.TotalMicroseconds / (received * count), ["lost"] = all ? 0 : frames - received };
     }
 
     private static TcpListener Listen(int count)

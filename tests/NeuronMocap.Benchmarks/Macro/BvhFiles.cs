@@ -42,7 +42,7 @@ internal static class BvhFiles
         }
     }
 
-    private static Figures Measure(string path, int rows, Func<string, long> read)
+    private static Measurements Measure(string path, int rows, Func<string, long> read)
     {
         long allocated = GC.GetAllocatedBytesForCurrentThread();
         long start = Stopwatch.GetTimestamp();
@@ -52,11 +52,11 @@ internal static class BvhFiles
         if (result != rows)
             throw new InvalidOperationException($"{result} of {rows} rows were read.");
 
-        return new Figures { ["MB/s"] = new FileInfo(path).Length / Megabyte / seconds, ["B/row"] = allocated / (double)rows };
+        return new Measurements { ["MB/s"] = new FileInfo(path).Length / Megabyte / seconds, ["B/row"] = allocated / (double)rows };
     }
 
     // Repeats the rows at the start of the file.
-    private static Figures MeasureWriting(string path)
+    private static Measurements MeasureWriting(string path)
     {
         using var reader = BvhReader.Open(path);
         float[] rows = new float[reader.Hierarchy.ChannelCount * 500];
@@ -77,7 +77,7 @@ internal static class BvhFiles
             writer.Flush();
             double seconds = Stopwatch.GetElapsedTime(start).TotalSeconds;
             allocated = GC.GetAllocatedBytesForCurrentThread() - allocated;
-            return new Figures { ["MB/s"] = new FileInfo(target).Length / Megabyte / seconds, ["B/row"] = allocated / (double)count };
+            return new Measurements { ["MB/s"] = new FileInfo(target).Length / Megabyte / seconds, ["B/row"] = allocated / (double)count };
         }
         finally
         {

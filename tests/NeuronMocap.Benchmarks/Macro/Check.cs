@@ -71,5 +71,5 @@ internal static class Check
         return faults;
     }
 
-    private static Way OnlyCpu(Way way) => new(way.Name, async () => new Figures { [Cpu] = (await way.RunAsync())[Cpu] });
+    private static Way OnlyCpu(Way way) => new(way.Name, async () => new Measurements { [Cpu] = (await way.RunAsync())[Cpu] });
 }

@@ -22,7 +22,7 @@ internal sealed class Clients(FileInfo raw, int runs, Report report)
         return report.End();
     }
 
-    private async Task CompareAsync(string @case, Func<Starter, Task<Figures>> measure)
+    private async Task CompareAsync(string @case, Func<Starter, Task<Measurements>> measure)
     {
         Way[] ways = [.. Names.Select(name => new Way(name, () => measure((mode, port, frames) =>
             NativeReceiver.Start("dotnet", "exec", typeof(Clients).Assembly.Location, "receive", name, mode, Peer.Text(port), Peer.Text(frames)))))];

@@ -27,7 +27,7 @@ internal static class Decode
         new("newest", () => Measure(rounds, static (pipeline, handled) => Newest(pipeline, handled))),
     ];
 
-    private static Figures Copy(int rounds)
+    private static Measurements Copy(int rounds)
     {
         byte[] packet = TestFrame.Create();
         byte[] target = new byte[packet.Length];
@@ -36,14 +36,14 @@ internal static class Decode
         for (int i = 0; i < rounds; i++)
             packet.AsSpan().CopyTo(target);
 
-        return new Figures
+        return new Measurements
         {
             ["ns/frame"] = Stopwatch.GetElapsedTime(start).TotalNanoseconds / rounds,
             [Check.Cpu] = (RuntimeFigures.CpuTime - cpu).TotalNanoseconds / rounds,
         };
     }
 
-    private static Figures Measure(int rounds, Func<ReceivePipeline, int[], Action> open)
+    private static Measurements Measure(int rounds, Func<ReceivePipeline, int[], Action> open)
     {
         byte[] packet = TestFrame.Create();
         ReceivePipeline pipeline = Pipelines.Create();
@@ -64,7 +64,7 @@ internal static class Decode
         if (handled[0] != rounds)
             throw new InvalidOperationException($"{handled[0]} of {rounds} frames were delivered.");
 
-        return new Figures { ["ns/frame"] = nanoseconds, [Check.Cpu] = cpu.TotalNanoseconds / rounds, ["B/frame"] = allocated / (double)rounds };
+        return new Measurements { ["ns/frame"] = nanoseconds, [Check.Cpu] = cpu.TotalNanoseconds / rounds, ["B/frame"] = allocated / (double)rounds };
 
         void Push(int frames)
         {

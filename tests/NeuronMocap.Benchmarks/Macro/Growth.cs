@@ -22,7 +22,7 @@ internal static class Growth
 
         async Task AddAsync(string what, Func<int, Task<double>> measure)
         {
-            Way[] ways = [.. counts.Order().Select(count => new Way(Peers.Peer.Text(count), async () => new Figures { [Cost] = await measure(count) }))];
+            Way[] ways = [.. counts.Order().Select(count => new Way(Peers.Peer.Text(count), async () => new Measurements { [Cost] = await measure(count) }))];
             report.Add(await Alternation.RunAsync(what, runs, ways[0], ways[1..], [new Aim(Cost, 1.2, IsRatio: true)]));
         }
     }

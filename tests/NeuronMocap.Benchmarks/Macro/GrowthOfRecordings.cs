@@ -42,7 +42,7 @@ internal static class GrowthOfRecordings
         }
     }
 
-    private static Figures Measure(string path, double hours)
+    private static Measurements Measure(string path, double hours)
     {
         long start = Stopwatch.GetTimestamp();
         using RecordingReader reader = RecordingReader.Open(path);
@@ -69,6 +69,6 @@ internal static class GrowthOfRecordings
         if (entries < (long)(hours * 3600 * FrameRate))
             throw new InvalidOperationException("Not every entry was read.");
 
-        return new Figures { ["open, ms"] = open, ["seek, ms"] = seek, ["read all, CPU ns/frame"] = cpu.TotalNanoseconds / entries };
+        return new Measurements { ["open, ms"] = open, ["seek, ms"] = seek, ["read all, CPU ns/frame"] = cpu.TotalNanoseconds / entries };
     }
 }

@@ -20,7 +20,7 @@ internal static class Idle
         return report.End();
     }
 
-    private static async Task<Figures> MeasureAsync(int count, double settle, double seconds)
+    private static async Task<Measurements> MeasureAsync(int count, double settle, double seconds)
     {
         using Peer server = await Peer.StartAsync("silent", "--connections", Peer.Text(count));
         NeuronReader[] readers = [.. Enumerable.Range(0, count)
@@ -28,7 +28,7 @@ internal static class Idle
         await Task.WhenAll(readers.Select(static reader => reader.StartAsync()));
 
         // A thread of its own, because a wait on the pool would wake several.
-        Figures figures = await Task.Factory.StartNew(() => Measure(settle, seconds), CancellationToken.None, TaskCreationOptions.LongRunning, TaskScheduler.Default);
+        Measurements figures = await Task.Factory.StartNew(() => Measure(settle, seconds), CancellationToken.None, TaskCreationOptions.LongRunning, TaskScheduler.Default);
         server.CloseInput();
         foreach (NeuronReader reader in readers)
             await reader.DisposeAsync();
@@ -36,7 +36,7 @@ internal static class Idle
         return figures;
     }
 
-    private static Figures Measure(double settle, double seconds)
+    private static Measurements Measure(double settle, double seconds)
     {
         Thread.Sleep(TimeSpan.FromSeconds(settle));
         Dictionary<string, long> before = WakeUps.Read();
@@ -46,6 +46,6 @@ internal static class Idle
         Dictionary<string, long> after = WakeUps.Read();
 
         // Without the wake-up of this thread.
-        return new Figures { [Rate] = Math.Max(0, WakeUps.Between(before, after) - 1) / seconds, [Share] = cpu.TotalSeconds / seconds * 100 };
+        return new Measurements { [Rate] = Math.Max(0, WakeUps.Between(before, after) - 1) / seconds, [Share] = cpu.TotalSeconds / seconds * 100 };
     }
 }

@@ -21,13 +21,13 @@ internal static class Latency
             double floor = 0;
             Way raw = new("raw", async () =>
             {
-                Figures figures = await FloorAsync(rate, seconds);
+                Measurements figures = await FloorAsync(rate, seconds);
                 floor = figures[Median];
                 return figures;
             });
             Way callback = new("callback", async () =>
             {
-                Figures figures = await CallbackAsync(rate, seconds);
+                Measurements figures = await CallbackAsync(rate, seconds);
                 figures[Added] = figures[Median] - floor;
                 return figures;
             });
@@ -40,14 +40,14 @@ internal static class Latency
     public static Task<Peer> StartSenderAsync(double rate, double seconds) =>
         Peer.StartAsync("pace", "--connections", "1", "--rate", Peer.Text(rate), "--seconds", Peer.Text(seconds));
 
-    public static async Task<Figures> FloorAsync(double rate, double seconds)
+    public static async Task<Measurements> FloorAsync(double rate, double seconds)
     {
         using Peer sender = await StartSenderAsync(rate, seconds);
         return Measure(sender.Port, rate, seconds);
     }
 
     // A blocking receive, until the other side ends the connection.
-    public static Figures Measure(int port, double rate, double seconds)
+    public static Measurements Measure(int port, double rate, double seconds)
     {
         using Socket socket = RawReceiver.Connect(port);
         byte[] buffer = new byte[RawReceiver.BufferSize];
@@ -62,7 +62,7 @@ internal static class Latency
         return ToFigures(delays);
     }
 
-    private static async Task<Figures> CallbackAsync(double rate, double seconds)
+    private static async Task<Measurements> CallbackAsync(double rate, double seconds)
     {
         using Peer sender = await StartSenderAsync(rate, seconds);
         await using var reader = new NeuronReader(new NeuronReaderOptions { Port = sender.Port, Reconnect = { Enabled = false } });
@@ -76,9 +76,9 @@ internal static class Latency
     private static double Microseconds(ReadOnlySpan<byte> values, long now) => (now - TestFrame.GetTime(values)) * 1e6 / Stopwatch.Frequency;
 
     // Omits the first tenth, in which code is still being compiled.
-    private static Figures ToFigures(List<double> delays)
+    private static Measurements ToFigures(List<double> delays)
     {
         double[] sorted = [.. delays.Skip(delays.Count / 10).Order()];
-        return new Figures { [Median] = Spread.Percentile(sorted, 0.5), [Tail] = Spread.Percentile(sorted, 0.99) };
+        return new Measurements { [Median] = Spread.Percentile(sorted, 0.5), [Tail] = Spread.Percentile(sorted, 0.99) };
     }
 }

@@ -49,18 +49,18 @@ internal sealed class Native(DirectoryInfo programs, int runs, Report report)
         return report.End();
     }
 
-    private async Task CompareAsync(string @case, Func<FileInfo, Task<Figures>> measure, string? addsTo = null, IReadOnlyList<Aim>? aims = null)
+    private async Task CompareAsync(string @case, Func<FileInfo, Task<Measurements>> measure, string? addsTo = null, IReadOnlyList<Aim>? aims = null)
     {
         double floor = 0;
         Way raw = new("raw", async () =>
         {
-            Figures figures = await measure(_raw);
+            Measurements figures = await measure(_raw);
             floor = addsTo is null ? 0 : figures[addsTo];
             return figures;
         });
         Way library = new("library", async () =>
         {
-            Figures figures = await measure(_library);
+            Measurements figures = await measure(_library);
             if (addsTo is not null)
                 figures[Added] = figures[addsTo] - floor;
 
@@ -72,12 +72,12 @@ internal sealed class Native(DirectoryInfo programs, int runs, Report report)
     private static Starter From(FileInfo program) => (mode, port, frames) => NativeReceiver.Start(program, mode, port, frames);
 
     // In checked mode, the receiver adds up all words of the stream, as the sender does.
-    public static async Task<Figures> FloodAsync(Starter start, string mode, int perWrite, int frames)
+    public static async Task<Measurements> FloodAsync(Starter start, string mode, int perWrite, int frames)
     {
         using Peer sender = await Peer.StartAsync("flood", "--per-write", Peer.Text(perWrite), "--frames", Peer.Text(frames));
         using NativeReceiver receiver = start(mode, sender.Port, frames);
         Dictionary<string, ulong> told = await receiver.ReadFiguresAsync();
-        var figures = new Figures
+        var figures = new Measurements
         {
             [Rate] = told["frames"] * 1e9 / told["nanoseconds"],
             [Cpu] = told["cpu"] / (double)frames,
@@ -93,14 +93,14 @@ internal sealed class Native(DirectoryInfo programs, int runs, Report report)
         return figures;
     }
 
-    public static async Task<Figures> PaceAsync(Starter start, double rate, double seconds)
+    public static async Task<Measurements> PaceAsync(Starter start, double rate, double seconds)
     {
         using Peer sender = await Peer.StartAsync("pace", "--connections", "1", "--rate", Peer.Text(rate), "--seconds", Peer.Text(seconds));
         using NativeReceiver receiver = start("latency", sender.Port, (long)(rate * seconds));
         return ToFigures(await receiver.ReadLinesAsync(), (long)(rate * seconds), isWhole: false);
     }
 
-    private static async Task<Figures> PaceDatagramsAsync(FileInfo program, double rate, double seconds)
+    private static async Task<Measurements> PaceDatagramsAsync(FileInfo program, double rate, double seconds)
     {
         int port = PacedSender.FreePort();
         using NativeReceiver receiver = NativeReceiver.Start(program, "udp", port, (long)(rate * seconds));
@@ -109,12 +109,12 @@ internal sealed class Native(DirectoryInfo programs, int runs, Report report)
         return ToFigures(await receiver.ReadLinesAsync(), (long)(rate * seconds), isWhole: true);
     }
 
-    private static async Task<Figures> StartAsync(FileInfo program)
+    private static async Task<Measurements> StartAsync(FileInfo program)
     {
         using Peer sender = await Peer.StartAsync("pace", "--connections", "1", "--rate", "1000", "--seconds", "0.1");
         using NativeReceiver receiver = NativeReceiver.Start(program, "start", sender.Port, frames: 0);
         Dictionary<string, ulong> told = await receiver.ReadFiguresAsync();
-        return new Figures
+        return new Measurements
         {
             ["process to main µs"] = told["loaded"] / 1e3,
             ["process to first call returned µs"] = told["call"] / 1e3,
@@ -124,10 +124,10 @@ internal sealed class Native(DirectoryInfo programs, int runs, Report report)
     }
 
     // Omits the first tenth, as in the other latencies. The floor does not count two frames that arrive together, so it may miss some.
-    private static Figures ToFigures(string[] nanoseconds, long frames, bool isWhole)
+    private static Measurements ToFigures(string[] nanoseconds, long frames, bool isWhole)
     {
         double[] sorted = [.. nanoseconds.Skip(nanoseconds.Length / 10).Select(static text => double.Parse(text, CultureInfo.InvariantCulture) / 1e3).Order()];
-        var figures = new Figures { [Median] = Spread.Percentile(sorted, 0.5), [Tail] = Spread.Percentile(sorted, 0.99) };
+        var figures = new Measurements { [Median] = Spread.Percentile(sorted, 0.5), [Tail] = Spread.Percentile(sorted, 0.99) };
         if (isWhole)
             figures[Lost] = frames - nanoseconds.Length;
 

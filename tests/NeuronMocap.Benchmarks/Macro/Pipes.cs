@@ -37,7 +37,7 @@ internal static class Pipes
         report.Add(await MeasureAsync($"{connections} connections", ReceiveThread.Pool, OfPool, create => PaceAsync(connections, seconds, create)));
         return report.End();
 
-        Task<List<Row>> MeasureAsync(string @case, ReceiveThread thread, Source[] ways, Func<Func<int, NeuronReader>, Task<Figures>> run) => Alternation.RunAsync(
+        Task<List<Row>> MeasureAsync(string @case, ReceiveThread thread, Source[] ways, Func<Func<int, NeuronReader>, Task<Measurements>> run) => Alternation.RunAsync(
             @case,
             runs,
             new Way("connection", () => run(port => new NeuronReader(Options(port, thread)))),
@@ -45,13 +45,13 @@ internal static class Pipes
             Aims);
     }
 
-    private static async Task<Figures> FloodAsync(int perWrite, int frames, Func<int, NeuronReader> create)
+    private static async Task<Measurements> FloodAsync(int perWrite, int frames, Func<int, NeuronReader> create)
     {
         using Peer sender = await Peer.StartAsync("flood", "--per-write", Peer.Text(perWrite), "--frames", Peer.Text(frames));
         return await ReceiveAsync([create(sender.Port)], frames);
     }
 
-    private static async Task<Figures> PaceAsync(int connections, double seconds, Func<int, NeuronReader> create)
+    private static async Task<Measurements> PaceAsync(int connections, double seconds, Func<int, NeuronReader> create)
     {
         using Peer sender = await Peer.StartAsync(
             "pace", "--connections", Peer.Text(connections), "--rate", Peer.Text(PacedRate), "--seconds", Peer.Text(seconds));
@@ -59,7 +59,7 @@ internal static class Pipes
     }
 
     // Measured from an early frame to the last one, because connecting and ending cost time and memory, too.
-    private static async Task<Figures> ReceiveAsync(NeuronReader[] readers, long frames)
+    private static async Task<Measurements> ReceiveAsync(NeuronReader[] readers, long frames)
     {
         long first = frames / 3;
         long counted = 0;
@@ -86,7 +86,7 @@ internal static class Pipes
             await reader.DisposeAsync();
         }
 
-        return new Figures
+        return new Measurements
         {
             [Cpu] = cpu.TotalNanoseconds / (frames - first),
             ["lost"] = frames - counted,

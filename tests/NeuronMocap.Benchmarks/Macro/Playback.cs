@@ -50,7 +50,7 @@ internal static class Playback
         }
     }
 
-    private static async Task<Figures> PlayAsync(string path, double speed)
+    private static async Task<Measurements> PlayAsync(string path, double speed)
     {
         using RecordingPlayer player = RecordingPlayer.Open(path);
         player.Speed = speed;
@@ -70,7 +70,7 @@ internal static class Playback
     }
 
     // What a program could do without the library, at the precision of the system's sleep.
-    private static Figures Sleep(int frames, double speed)
+    private static Measurements Sleep(int frames, double speed)
     {
         var errors = new List<double>();
         TimeSpan before = RuntimeFigures.CpuTime;
@@ -88,10 +88,10 @@ internal static class Playback
 
     private static double Microseconds(long ticks) => ticks * 1e6 / Stopwatch.Frequency;
 
-    private static Figures ToFigures(List<double> errors, double share)
+    private static Measurements ToFigures(List<double> errors, double share)
     {
         double[] sorted = [.. errors.Order()];
-        return new Figures
+        return new Measurements
         {
             ["median µs"] = Spread.Percentile(sorted, 0.5),
             ["p99 µs"] = Spread.Percentile(sorted, 0.99),

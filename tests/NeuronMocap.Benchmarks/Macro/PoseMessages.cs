@@ -31,7 +31,7 @@ internal static class PoseMessages
         report.Add(await Alternation.RunAsync("one frame", runs, new Way("copy", () => HotLoop.Measure(i => frames[i % Frames].Packet.CopyTo(copy))), ways, aims));
         return report.End();
 
-        Figures Measure(IPoseEncoder encoder)
+        Measurements Measure(IPoseEncoder encoder)
         {
             var pose = new AvatarPose(sender: 0, index: 0);
             var bundle = new OscBundle(1400, static (_, _) => { });

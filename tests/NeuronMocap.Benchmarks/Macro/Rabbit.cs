@@ -27,7 +27,7 @@ internal static class Rabbit
         double floor = 0;
         Way local = new("local", async () =>
         {
-            Figures figures = await MeasureAsync(broker, avatars, consumers: 0, seconds);
+            Measurements figures = await MeasureAsync(broker, avatars, consumers: 0, seconds);
             floor = figures[Latency.Median];
             return figures;
         });
@@ -40,7 +40,7 @@ internal static class Rabbit
         return report.End();
     }
 
-    private static async Task<Figures> MeasureAsync(Broker broker, int avatars, int consumers, double seconds, string? stream = null, double added = 0)
+    private static async Task<Measurements> MeasureAsync(Broker broker, int avatars, int consumers, double seconds, string? stream = null, double added = 0)
     {
         var delays = new ConcurrentBag<List<double>>();
         var pipe = new Pipe(new PipeOptions(pauseWriterThreshold: 0));
@@ -82,7 +82,7 @@ internal static class Rabbit
             await audience.DisposeAsync();
 
         double[] sorted = [.. delays.SelectMany(static list => list).Order()];
-        return new Figures
+        return new Measurements
         {
             [Latency.Median] = Spread.Percentile(sorted, 0.5),
             [Latency.Tail] = Spread.Percentile(sorted, 0.99),

@@ -27,7 +27,7 @@ internal static class Record
         return report.End();
     }
 
-    private static Figures Measure(int recordings)
+    private static Measurements Measure(int recordings)
     {
         byte[] packet = TestFrame.Create();
         ReceivePipeline pipeline = Pipelines.Create();
@@ -58,7 +58,7 @@ internal static class Record
         if (handled != Batch * (Batches + 1) || recorders.Any(static recorder => recorder.GetStatistics().Pieces != Batch * (Batches + 1)))
             throw new InvalidOperationException("Not every frame was delivered and recorded.");
 
-        return new Figures
+        return new Measurements
         {
             ["ns/frame"] = elapsed / (Batch * Batches),
             ["B/frame"] = allocated / (double)(Batch * Batches),

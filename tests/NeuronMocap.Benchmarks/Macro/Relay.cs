@@ -22,7 +22,7 @@ internal static class Relay
             double floor = 0;
             Way raw = new("raw", async () =>
             {
-                Figures figures = await Latency.FloorAsync(rate, seconds);
+                Measurements figures = await Latency.FloorAsync(rate, seconds);
                 floor = figures[Latency.Median];
                 return figures;
             });
@@ -44,13 +44,13 @@ internal static class Relay
     }
 
     // hasOwn: whether each of the other clients has a destination of its own.
-    private static async Task<Figures> PacedAsync(double rate, double seconds, int others, bool hasOwn, double floor)
+    private static async Task<Measurements> PacedAsync(double rate, double seconds, int others, bool hasOwn, double floor)
     {
         using Peer sender = await Latency.StartSenderAsync(rate, seconds);
         await using var reader = new NeuronReader(new NeuronReaderOptions { Port = sender.Port, Reconnect = { Enabled = false } });
         Broadcaster[] relays = [.. Enumerable.Range(0, hasOwn ? others + 1 : 1).Select(_ => Start(reader, queueCapacity: 256))];
         int[] ports = [.. relays.Select(static relay => relay.LocalEndPoint!.Port)];
-        Figures figures = await MeasurePacedAsync(rate, seconds, others, floor, neverReads: 1, i => ports[i % ports.Length], async () =>
+        Measurements figures = await MeasurePacedAsync(rate, seconds, others, floor, neverReads: 1, i => ports[i % ports.Length], async () =>
         {
             while (relays.Sum(static relay => relay.GetStatistics().Clients) < others + 1)
                 await Task.Delay(1);
@@ -63,7 +63,7 @@ internal static class Relay
         return figures;
     }
 
-    private static async Task<Figures> BarePacedAsync(double rate, double seconds, int others, double floor)
+    private static async Task<Measurements> BarePacedAsync(double rate, double seconds, int others, double floor)
     {
         using Peer sender = await Latency.StartSenderAsync(rate, seconds);
         using var relay = new BareRelay();
@@ -71,15 +71,15 @@ internal static class Relay
     }
 
     // The last client is the one that is measured.
-    private static async Task<Figures> MeasurePacedAsync(
+    private static async Task<Measurements> MeasurePacedAsync(
         double rate, double seconds, int others, double floor, int neverReads, Func<int, int> portOf, Func<Task> start)
     {
         Socket[] clients = [.. Enumerable.Range(0, others).Select(i => RawReceiver.Connect(portOf(i)))];
         Task draining = Task.WhenAll(clients.Skip(neverReads).Select(socket => DrainAsync(socket)));
-        Task<Figures> measuring = Task.Factory.StartNew(
+        Task<Measurements> measuring = Task.Factory.StartNew(
             () => Latency.Measure(portOf(others), rate, seconds), CancellationToken.None, TaskCreationOptions.LongRunning, TaskScheduler.Default);
         await start();
-        Figures figures = await measuring;
+        Measurements figures = await measuring;
         await draining;
         foreach (Socket client in clients)
             client.Dispose();
@@ -91,14 +91,14 @@ internal static class Relay
     private static Task<Peer> StartSenderAsync(int frames) =>
         Peer.StartAsync("flood", "--per-write", Peer.Text(FramesPerWrite), "--frames", Peer.Text(frames));
 
-    private static async Task<Figures> SenderAsync(int frames)
+    private static async Task<Measurements> SenderAsync(int frames)
     {
         using Peer sender = await StartSenderAsync(frames);
         using Socket client = RawReceiver.Connect(sender.Port);
         return await MeasureAsync(client, frames);
     }
 
-    private static async Task<Figures> BareFloodAsync(int frames)
+    private static async Task<Measurements> BareFloodAsync(int frames)
     {
         using Peer sender = await StartSenderAsync(frames);
         using var relay = new BareRelay();
@@ -107,7 +107,7 @@ internal static class Relay
         return await MeasureAsync(client, frames);
     }
 
-    private static async Task<Figures> FloodAsync(int frames)
+    private static async Task<Measurements> FloodAsync(int frames)
     {
         using Peer sender = await StartSenderAsync(frames);
         await using var reader = new NeuronReader(new NeuronReaderOptions { Port = sender.Port, Reconnect = { Enabled = false } });
@@ -118,7 +118,7 @@ internal static class Relay
         return await MeasureAsync(client, frames);
     }
 
-    private static async Task<Figures> BroadcastAsync(int frames)
+    private static async Task<Measurements> BroadcastAsync(int frames)
     {
         using var server = new Broadcaster(new BroadcasterOptions
         {
@@ -145,11 +145,11 @@ internal static class Relay
             await Task.Delay(1);
     }
 
-    private static async Task<Figures> MeasureAsync(Socket client, int frames)
+    private static async Task<Measurements> MeasureAsync(Socket client, int frames)
     {
         long start = Stopwatch.GetTimestamp();
         long received = await DrainAsync(client) / TestFrame.Size;
-        return new Figures { [Speed] = received / Stopwatch.GetElapsedTime(start).TotalSeconds, [Lost] = frames - received };
+        return new Measurements { [Speed] = received / Stopwatch.GetElapsedTime(start).TotalSeconds, [Lost] = frames - received };
     }
 
     private static Task<long> DrainAsync(Socket socket) => Task.Factory.StartNew(

@@ -41,7 +41,7 @@ internal static class Scaling
         return report.End();
     }
 
-    public static Figures Measure(int avatars, int consumers, bool newest, int frames = Frames)
+    public static Measurements Measure(int avatars, int consumers, bool newest, int frames = Frames)
     {
         ReceivePipeline pipeline = Pipelines.Create();
         FrameQueue[] queues = [.. Enumerable.Range(0, newest ? 0 : consumers).Select(_ => pipeline.OpenQueue(2 * PerPiece, "queue"))];
@@ -61,7 +61,7 @@ internal static class Scaling
         if (!newest && taken != (long)frames * consumers)
             throw new InvalidOperationException($"{taken} of {(long)frames * consumers} frames were taken.");
 
-        return new Figures { ["ns/frame"] = nanoseconds / frames / consumers, [Check.Cpu] = cpu.TotalNanoseconds / frames / consumers };
+        return new Measurements { ["ns/frame"] = nanoseconds / frames / consumers, [Check.Cpu] = cpu.TotalNanoseconds / frames / consumers };
 
         void Run(int count)
         {

@@ -48,7 +48,7 @@ internal sealed class Start(DirectoryInfo programs, int runs, Report report)
         return file.Exists ? file : null;
     }
 
-    private static async Task<Figures> FirstFrameAsync(FileInfo program, string way)
+    private static async Task<Measurements> FirstFrameAsync(FileInfo program, string way)
     {
         using Peer sender = await Peer.StartAsync("pace", "--connections", "1", "--rate", "1000", "--seconds", "0.2");
         (long start, Process process) = Run(program.FullName, way, Peer.Text(sender.Port));
@@ -56,12 +56,12 @@ internal sealed class Start(DirectoryInfo programs, int runs, Report report)
         {
             string line = await process.StandardOutput.ReadToEndAsync();
             await process.WaitForExitAsync();
-            return new Figures { [Figure] = (long.Parse(line, CultureInfo.InvariantCulture) - start) * 1000.0 / Stopwatch.Frequency };
+            return new Measurements { [Figure] = (long.Parse(line, CultureInfo.InvariantCulture) - start) * 1000.0 / Stopwatch.Frequency };
         }
     }
 
     // script gives the program a terminal, and passes on what it writes there.
-    private static async Task<Figures> FirstPictureAsync(FileInfo program)
+    private static async Task<Measurements> FirstPictureAsync(FileInfo program)
     {
         (long start, Process process) = Run("script", "-qefc", $"stty cols 120 rows 40; {program.FullName} watch demo --duration 3", "/dev/null");
         using (process)
@@ -79,21 +79,21 @@ internal sealed class Start(DirectoryInfo programs, int runs, Report report)
                 shown += new string(buffer, 0, count);
             }
 
-            var figures = new Figures { [Figure] = Stopwatch.GetElapsedTime(start).TotalMilliseconds };
+            var figures = new Measurements { [Figure] = Stopwatch.GetElapsedTime(start).TotalMilliseconds };
             await process.StandardOutput.ReadToEndAsync();
             await process.WaitForExitAsync();
             return figures;
         }
     }
 
-    private async Task<Figures> VersionAsync(string folder)
+    private async Task<Measurements> VersionAsync(string folder)
     {
         (long start, Process process) = Run(Find(folder, "neuron-mocap")!.FullName, "--version");
         using (process)
         {
             await process.StandardOutput.ReadToEndAsync();
             await process.WaitForExitAsync();
-            return new Figures { [Figure] = Stopwatch.GetElapsedTime(start).TotalMilliseconds };
+            return new Measurements { [Figure] = Stopwatch.GetElapsedTime(start).TotalMilliseconds };
         }
     }
 

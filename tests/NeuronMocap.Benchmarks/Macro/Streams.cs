@@ -24,7 +24,7 @@ internal static class Streams
         return report.End();
     }
 
-    public static async Task<Figures> MeasureAsync(int connections, double seconds)
+    public static async Task<Measurements> MeasureAsync(int connections, double seconds)
     {
         long memoryBefore = LiveHeap();
         using Peer sender = await Peer.StartAsync(
@@ -59,7 +59,7 @@ internal static class Streams
             await reader.DisposeAsync();
 
         long sent = (long)(Rate * (seconds + 2)) * connections;
-        return new Figures
+        return new Measurements
         {
             [Cost] = cpu.TotalMicroseconds / counted,
             ["cores"] = cpu / elapsed,

@@ -42,7 +42,7 @@ internal static class Throughput
     private static Task<Peer> StartSenderAsync(int perWrite, int frames) =>
         Peer.StartAsync("flood", "--per-write", Peer.Text(perWrite), "--frames", Peer.Text(frames));
 
-    public static async Task<Figures> FloorAsync(int perWrite, int frames)
+    public static async Task<Measurements> FloorAsync(int perWrite, int frames)
     {
         using Peer sender = await StartSenderAsync(perWrite, frames);
         using Socket socket = RawReceiver.Connect(sender.Port);
@@ -54,14 +54,14 @@ internal static class Throughput
             count = socket.Receive(buffer);
 
         double seconds = Stopwatch.GetElapsedTime(start).TotalSeconds;
-        return new Figures
+        return new Measurements
         {
             [Rate] = received / (double)TestFrame.Size / seconds,
             [Cpu] = (RuntimeFigures.CpuTime - cpu).TotalMilliseconds * 1e6 / frames,
         };
     }
 
-    public static async Task<Figures> CallbackAsync(int perWrite, int frames)
+    public static async Task<Measurements> CallbackAsync(int perWrite, int frames)
     {
         using Peer sender = await StartSenderAsync(perWrite, frames);
         await using NeuronReader reader = CreateReader(sender);
@@ -82,7 +82,7 @@ internal static class Throughput
         return ToFigures(reader, cpu, frames, counted, allocated / (double)frames);
     }
 
-    public static async Task<Figures> QueueAsync(int perWrite, int frames)
+    public static async Task<Measurements> QueueAsync(int perWrite, int frames)
     {
         using Peer sender = await StartSenderAsync(perWrite, frames);
         await using NeuronReader reader = CreateReader(sender);
@@ -101,7 +101,7 @@ internal static class Throughput
     }
 
     // Newer frames replace older ones by design, so only frames that were not received count as lost.
-    private static async Task<Figures> NewestAsync(int perWrite, int frames)
+    private static async Task<Measurements> NewestAsync(int perWrite, int frames)
     {
         using Peer sender = await StartSenderAsync(perWrite, frames);
         await using NeuronReader reader = CreateReader(sender);
@@ -119,11 +119,11 @@ internal static class Throughput
 
     private static NeuronReader CreateReader(Peer sender) => new(new NeuronReaderOptions { Port = sender.Port, Reconnect = { Enabled = false } });
 
-    private static Figures ToFigures(NeuronReader reader, TimeSpan cpuBefore, int sent, long delivered, double? allocated = null)
+    private static Measurements ToFigures(NeuronReader reader, TimeSpan cpuBefore, int sent, long delivered, double? allocated = null)
     {
         TimeSpan cpu = RuntimeFigures.CpuTime - cpuBefore;
         ReaderStatistics statistics = reader.GetStatistics();
-        var figures = new Figures
+        var figures = new Measurements
         {
             [Rate] = statistics.MotionFrames / statistics.Duration.TotalSeconds,
             [Cpu] = cpu.TotalMilliseconds * 1e6 / sent,

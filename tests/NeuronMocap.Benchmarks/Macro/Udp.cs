@@ -40,7 +40,7 @@ internal static class Udp
 
     private static NeuronReaderOptions CreateOptions(ReceiveThread thread) => new() { Transport = TransportKind.Udp, Port = 0, ReceiveThread = thread };
 
-    private static async Task<Figures> FloorAsync(int senders, int frames)
+    private static async Task<Measurements> FloorAsync(int senders, int frames)
     {
         using var socket = new Socket(AddressFamily.InterNetwork, SocketType.Dgram, ProtocolType.Udp);
         socket.ReceiveBufferSize = UdpSocket.WantedBuffer;
@@ -74,7 +74,7 @@ internal static class Udp
         return ToFigures(received, frames, Stopwatch.GetElapsedTime(first, last), RuntimeFigures.CpuTime - cpu);
     }
 
-    private static async Task<Figures> CallbackAsync(int senders, int frames, ReceiveThread thread)
+    private static async Task<Measurements> CallbackAsync(int senders, int frames, ReceiveThread thread)
     {
         await using var reader = new NeuronReader(CreateOptions(thread));
         long received = 0;
@@ -102,7 +102,7 @@ internal static class Udp
         return ToFigures(received, frames, Stopwatch.GetElapsedTime(first, Volatile.Read(ref last)), RuntimeFigures.CpuTime - cpu);
     }
 
-    private static Figures ToFigures(long received, int frames, TimeSpan elapsed, TimeSpan cpu) => new()
+    private static Measurements ToFigures(long received, int frames, TimeSpan elapsed, TimeSpan cpu) => new()
     {
         [Rate] = received / elapsed.TotalSeconds,
         [Cpu] = cpu.TotalMilliseconds * 1e6 / received,

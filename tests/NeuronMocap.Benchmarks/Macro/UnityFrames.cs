@@ -53,7 +53,7 @@ internal static class UnityFrames
         return report.End();
     }
 
-    private static Figures Measure(PlayerLoop loop, HumanoidDriver[] drivers, Action<HumanoidDriver> set)
+    private static Measurements Measure(PlayerLoop loop, HumanoidDriver[] drivers, Action<HumanoidDriver> set)
     {
         foreach (HumanoidDriver driver in drivers)
         {
@@ -77,7 +77,7 @@ internal static class UnityFrames
         }
 
         allocated = GC.GetAllocatedBytesForCurrentThread() - allocated;
-        return new Figures { [Cost] = Spread.Of(nanoseconds).Median / drivers.Length, ["B/frame"] = allocated / (double)(Parts * FramesPerPart) };
+        return new Measurements { [Cost] = Spread.Of(nanoseconds).Median / drivers.Length, ["B/frame"] = allocated / (double)(Parts * FramesPerPart) };
     }
 
     private static HumanoidDriver AddFigure(MocapSource source, int performer)

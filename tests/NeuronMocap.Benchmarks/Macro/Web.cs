@@ -29,7 +29,7 @@ internal static class Web
         return report.End();
     }
 
-    private static async Task<Figures> MeasureAsync(WebSocketForm form, int count, double seconds)
+    private static async Task<Measurements> MeasureAsync(WebSocketForm form, int count, double seconds)
     {
         using Peer sender = await StartSenderAsync(seconds);
         await using NeuronReader reader = CreateReader(sender);
@@ -45,7 +45,7 @@ internal static class Web
         string[] delays = (await sinks.ReadLineAsync()).Split(' ');
         WebSocketBroadcasterStatistics statistics = broadcaster.GetStatistics();
         double frames = statistics.FramesSent + statistics.FramesDropped + statistics.FramesMissed;
-        return new Figures
+        return new Measurements
         {
             [Cost] = cpu.TotalMicroseconds / frames,
             ["median delay µs"] = double.Parse(delays[0], CultureInfo.InvariantCulture),
@@ -54,7 +54,7 @@ internal static class Web
         };
     }
 
-    private static async Task<Figures> RelayAsync(int count, double seconds)
+    private static async Task<Measurements> RelayAsync(int count, double seconds)
     {
         using Peer sender = await StartSenderAsync(seconds);
         await using NeuronReader reader = CreateReader(sender);
@@ -66,7 +66,7 @@ internal static class Web
 
         TimeSpan cpu = await RunAsync(reader);
         await sinks.ReadLineAsync();
-        return new Figures { [Cost] = cpu.TotalMicroseconds / relay.GetStatistics().FramesSent };
+        return new Measurements { [Cost] = cpu.TotalMicroseconds / relay.GetStatistics().FramesSent };
     }
 
     private static WebApplication Serve(WebSocketBroadcaster broadcaster)

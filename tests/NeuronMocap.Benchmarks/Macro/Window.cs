@@ -31,14 +31,14 @@ internal static class Window
         return report.End();
     }
 
-    private static async Task<Figures> RunIdleAsync(double seconds)
+    private static async Task<Measurements> RunIdleAsync(double seconds)
     {
         using var window = new WindowLoop();
-        return new Figures { [Wait] = Percentile(await ProbeAsync(window, Task.Delay(TimeSpan.FromSeconds(seconds)))) };
+        return new Measurements { [Wait] = Percentile(await ProbeAsync(window, Task.Delay(TimeSpan.FromSeconds(seconds)))) };
     }
 
     // All frames come from one server, or those of each performer from a server of its own.
-    private static async Task<Figures> RunAsync(double seconds, int readerCount, TimeSpan duration)
+    private static async Task<Measurements> RunAsync(double seconds, int readerCount, TimeSpan duration)
     {
         using var window = new WindowLoop();
         double rate = Rate * Performers / readerCount;
@@ -61,7 +61,7 @@ internal static class Window
         foreach (NeuronReader reader in readers)
             reader.Dispose();
 
-        var figures = new Figures
+        var figures = new Measurements
         {
             [Wait] = Percentile(waits),
             ["dropped %"] = 100.0 * deliveries.Sum(static delivery => delivery.Dropped) / (Performers * Rate * seconds),
@@ -75,7 +75,7 @@ internal static class Window
     }
 
     // Only the run of each post is measured, one frame in each.
-    private static Figures RunHot()
+    private static Measurements RunHot()
     {
         var context = new OnePost();
         using var reader = new NeuronReader("127.0.0.1");
@@ -83,14 +83,14 @@ internal static class Window
         delivery.MotionReceived += static _ => { };
         var packet = new ReceivedPacket(PacketKind.Motion, TestFrame.Create(), 0, 0);
         long ticks = 0;
-        Figures figures = HotLoop.Measure(_ =>
+        Measurements figures = HotLoop.Measure(_ =>
         {
             ((IPacketConsumer)delivery).OnPacket(packet);
             long start = Stopwatch.GetTimestamp();
             context.Run();
             ticks += Stopwatch.GetTimestamp() - start;
         });
-        return new Figures { [Cost] = Stopwatch.GetElapsedTime(0, ticks).TotalMilliseconds * 1e3 / HotLoop.Rounds, ["B/frame"] = figures["B/frame"] };
+        return new Measurements { [Cost] = Stopwatch.GetElapsedTime(0, ticks).TotalMilliseconds * 1e3 / HotLoop.Rounds, ["B/frame"] = figures["B/frame"] };
     }
 
     // A message every few milliseconds until the end.

@@ -64,7 +64,7 @@ internal static partial class PageTables
         return text.ToString();
     }
 
-    // Figures that are read as they are, although the floor has them, too.
+    // Measurements that are read as they are, although the floor has them, too.
     private static bool IsPlain(string figure) => figure.Contains('%') || figure.Contains("B/", StringComparison.Ordinal) || figure is "cores" or "threads" or "lost" or "wake-ups/s";
 
     private static string Cell(Row row) => row.Ratio is { } ratio && !IsPlain(row.Figure)

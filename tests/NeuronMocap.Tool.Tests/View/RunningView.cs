@@ -18,7 +18,7 @@ internal sealed class RunningView : IAsyncDisposable
     private RunningView(string[] args)
     {
         _streams = new StandardStreams(_output, TextWriter.Synchronized(_error), IsTerminal: false);
-        _run = Task.Run(() => CommandLine.RunAsync(["view", .. args, "--port", "0"], _streams, _stop.Token));
+        _run = Task.Run(() => CommandLine.RunAsync(["view", .. args, .. args.Contains("--port") ? (string[])[] : ["--port", "0"]], _streams, _stop.Token));
     }
 
     /// <summary>The link for this computer, with a token if there is one.</summary>

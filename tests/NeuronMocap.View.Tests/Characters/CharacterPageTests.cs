@@ -1,0 +1,99 @@
+using System.Diagnostics;
+using System.Text.Json;
+using NeuronMocap.Tool.Tests.View;
+using NeuronMocap.View.Tests.Infrastructure;
+
+namespace NeuronMocap.View.Tests.Characters;
+
+// Characters dropped on the page.
+public sealed class CharacterPageTests(SharedBrowser browser) : IDisposable
+{
+    private readonly DirectoryInfo _folder = Directory.CreateTempSubdirectory("neuron-mocap-characters-");
+
+    public void Dispose() => _folder.Delete(recursive: true);
+
+    [Fact]
+    public async Task A_figure_of_the_library_moves_like_its_performer()
+    {
+        await using RunningView view = await RunningView.StartAsync(Repository.PathOf("samples", "takes", "walk.bvh"));
+        await using TestPage page = await TestPage.OpenAsync(browser, view.Link);
+        await page.UntilMovingAsync();
+        string id = (await page.StateAsync()).GetProperty("take").GetString()!;
+        string key = (await page.StateAsync()).GetProperty("performers")[0].GetProperty("key").GetString()!;
+        byte[] figure = await view.Client.GetByteArrayAsync($"/api/takes/{id}/performers/{key}/figure.glb", TestContext.Current.CancellationToken);
+        await page.DropAsync("figure.glb", figure);
+        await UntilShownAsync(page);
+        foreach (string press in (string[])["End", "Home"])
+        {
+            await page.Page.Keyboard.PressAsync(press);
+
+            // Poses of characters come in chunks of their own.
+            await page.UntilAsync("""
+                key => {
+                  const { state, joints, character } = window.neuronMocap;
+                  const [own, other] = [joints(key), character(state().characters[0].id)];
+                  return Object.keys(other).length > 50 && Object.entries(other).every(([name, place]) => Math.hypot(...place.map((each, i) => each - own[name][i])) < 0.002);
+                }
+                """, key);
+        }
+
+        page.AssertClean();
+    }
+
+    [Theory]
+    [InlineData("boxes-1.vrm")]
+    [InlineData("boxes-0.vrm")]
+    public async Task A_vrm_character_holds_its_limbs_like_the_performer(string file)
+    {
+        await WriteSamplesAsync();
+        await using RunningView view = await RunningView.StartAsync(Repository.PathOf("samples", "takes", "walk.bvh"));
+        await using TestPage page = await TestPage.OpenAsync(browser, view.Link);
+        await page.UntilMovingAsync();
+        await page.DropAsync(file, await File.ReadAllBytesAsync(Path.Combine(_folder.FullName, file), TestContext.Current.CancellationToken));
+        await UntilShownAsync(page);
+        await page.Page.Keyboard.PressAsync("End");
+        await page.UntilAsync("() => { const { state, frame } = window.neuronMocap; return frame(state().performers[0].key) > 200; }");
+        await page.UntilAsync("""
+            limbs => {
+              const { state, joints, character } = window.neuronMocap;
+              const { performers, characters } = state();
+              const [own, other] = [joints(performers[0].key), character(characters[0].id)];
+              const way = (from, to) => { const way = to.map((each, i) => each - from[i]); const length = Math.hypot(...way); return way.map(each => each / length); };
+              return limbs.every(([from, to]) => {
+                const [a, b] = [way(own[from], own[to]), way(other[from], other[to])];
+                return a.reduce((sum, each, i) => sum + each * b[i], 0) > Math.cos(6 * Math.PI / 180);
+              });
+            }
+            """, Limbs);
+        page.AssertClean();
+    }
+
+    private static readonly string[][] Limbs =
+    [
+        ["LeftArm", "LeftForeArm"], ["LeftForeArm", "LeftHand"], ["RightArm", "RightForeArm"], ["RightForeArm", "RightHand"],
+        ["LeftUpLeg", "LeftLeg"], ["LeftLeg", "LeftFoot"], ["RightUpLeg", "RightLeg"], ["RightLeg", "RightFoot"],
+    ];
+
+    private static Task UntilShownAsync(TestPage page) => page.UntilAsync(
+        "() => { const { characters } = window.neuronMocap.state(); return characters.length === 1 && characters[0].isShown; }");
+
+    private async Task WriteSamplesAsync()
+    {
+        var start = new ProcessStartInfo("node", ["samples.mjs", _folder.FullName]) { WorkingDirectory = Repository.PathOf("web"), UseShellExecute = false };
+        Process? process = null;
+        try
+        {
+            process = Process.Start(start)!;
+        }
+        catch (System.ComponentModel.Win32Exception)
+        {
+            Assert.Skip("There is no node on the PATH.");
+        }
+
+        using (process)
+        {
+            await process.WaitForExitAsync(TestContext.Current.CancellationToken).Soon();
+            Assert.Equal(0, process.ExitCode);
+        }
+    }
+}

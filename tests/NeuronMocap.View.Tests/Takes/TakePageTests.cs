@@ -1,0 +1,86 @@
+using System.Text.Json;
+using NeuronMocap.Bvh;
+using NeuronMocap.Server;
+using NeuronMocap.Skeleton;
+using NeuronMocap.Tool.Tests.View;
+using NeuronMocap.View.Tests.Infrastructure;
+
+namespace NeuronMocap.View.Tests.Takes;
+
+// Takes on the page.
+public sealed class TakePageTests(SharedBrowser browser)
+{
+    private const float Rounding = 0.001f;
+
+    private static readonly string Walk = Repository.PathOf("samples", "takes", "walk.bvh");
+
+    [Fact]
+    public async Task A_chosen_take_plays_and_steps_with_the_joints_of_the_file()
+    {
+        var source = new BvhSource(BvhDocument.Load(Walk));
+        await using RunningView view = await RunningView.StartAsync("demo");
+        await using TestPage page = await TestPage.OpenAsync(browser, view.Link, 640, 480);
+        await page.ChooseAsync(() => page.Page.Keyboard.PressAsync("o"), Walk);
+        await UntilShownAsync(page);
+        await AssertJointsAsync(page, source, 0);
+
+        // Steps.
+        await page.Page.Keyboard.PressAsync(".");
+        await page.Page.Keyboard.PressAsync(".");
+        await AssertJointsAsync(page, source, 2);
+        await page.Page.Keyboard.PressAsync(",");
+        await AssertJointsAsync(page, source, 1);
+        await page.Page.Keyboard.PressAsync("End");
+        await AssertJointsAsync(page, source, (int)source.FrameCount!.Value - 1);
+
+        // It goes on from the start, and again: the loop is on.
+        await page.Page.Keyboard.PressAsync("Home");
+        if (!await IsPressedAsync(page, "Loop"))
+            await page.Page.Keyboard.PressAsync("l");
+        Assert.True(await IsPressedAsync(page, "Loop"));
+        await page.Page.Keyboard.PressAsync(">");
+        await page.Page.Keyboard.PressAsync("Space");
+        await page.Page.Locator("[aria-label=Stop]").WaitForAsync();
+        string key = await KeyAsync(page);
+        await page.UntilAsync("key => window.neuronMocap.frame(key) > 20", key);
+        await page.UntilAsync("key => window.neuronMocap.frame(key) < 20", key);
+        await page.Page.Keyboard.PressAsync("Space");
+        await page.Page.Locator("[aria-label=Play]").WaitForAsync();
+        page.AssertClean();
+    }
+
+    [Fact]
+    public async Task A_dropped_recording_is_shown_and_a_foreign_file_is_refused_in_a_sentence()
+    {
+        await using RunningView view = await RunningView.StartAsync("demo");
+        await using TestPage page = await TestPage.OpenAsync(browser, view.Link);
+        await page.UntilMovingAsync();
+        await page.DropAsync("picture.txt", [1, 2, 3]);
+        await page.Page.GetByText("picture.txt is not a file that this page shows.").WaitForAsync();
+        string path = Repository.PathOf("samples", "takes", "walk.nmrec");
+        await page.DropAsync("walk.nmrec", await File.ReadAllBytesAsync(path, TestContext.Current.CancellationToken));
+        await UntilShownAsync(page);
+        await AssertJointsAsync(page, RecordingSource.Load(path), 0);
+        page.AssertClean();
+    }
+
+    private static Task UntilShownAsync(TestPage page) => page.UntilAsync(
+        "() => { const { mode, take, performers } = window.neuronMocap.state(); return mode === 'take' && take !== null && performers.length === 1 && performers[0].hasFigure && performers[0].poses > 0; }");
+
+    private static async Task<string> KeyAsync(TestPage page) => (await page.EvaluateAsync("() => window.neuronMocap.state().performers[0].key")).GetString()!;
+
+    private static async Task<bool> IsPressedAsync(TestPage page, string name) =>
+        await page.Page.Locator($"[aria-label={name}]").GetAttributeAsync("aria-pressed") == "true";
+
+    private static async Task AssertJointsAsync(TestPage page, MotionSource source, int frame)
+    {
+        string words = $"frame {frame + 1} of {source.FrameCount}";
+        await page.UntilAsync("words => document.querySelector('.readout .frame').textContent === words", words);
+        string key = await KeyAsync(page);
+        JsonElement joints = await page.EvaluateAsync("key => new Promise(resolve => requestAnimationFrame(() => resolve(window.neuronMocap.joints(key))))", key);
+        var world = new BoneTransform[BoneHierarchy.BoneCount];
+        source.GetPose(frame, world);
+        ForwardKinematics.ToWorld(world, world, source.Variant);
+        Assert.InRange(Joints.Distance(joints, world), 0, Rounding);
+    }
+}
