@@ -1,5 +1,4 @@
 using NeuronMocap.Tests.Network;
-using NeuronMocap.Tests.Server;
 
 namespace NeuronMocap.Server.Tests;
 

@@ -1,5 +1,4 @@
 using System.Diagnostics;
-using NeuronMocap.Tests.Infrastructure;
 using NeuronMocap.Tool.Arguments;
 using NeuronMocap.Tool.Terminal;
 using NeuronMocap.Tool.Tests.Infrastructure;

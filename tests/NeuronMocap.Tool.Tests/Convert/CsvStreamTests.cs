@@ -4,7 +4,6 @@ using NeuronMocap.Server;
 using NeuronMocap.Skeleton;
 using NeuronMocap.Tool.Terminal;
 using NeuronMocap.Tool.Tests.Files;
-using NeuronMocap.Tool.Tests.Infrastructure;
 using static NeuronMocap.Tool.Tests.Convert.Conversion;
 
 namespace NeuronMocap.Tool.Tests.Convert;

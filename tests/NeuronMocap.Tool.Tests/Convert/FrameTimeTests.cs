@@ -2,7 +2,6 @@ using System.Text.Json;
 using NeuronMocap.Bvh;
 using NeuronMocap.Calculation;
 using NeuronMocap.Recording;
-using NeuronMocap.Tests.Infrastructure;
 using NeuronMocap.Tool.Tests.Files;
 using NeuronMocap.Tool.Tests.Infrastructure;
 

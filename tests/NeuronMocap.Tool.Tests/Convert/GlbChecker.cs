@@ -2,7 +2,6 @@ using System.Diagnostics;
 using System.Globalization;
 using System.Numerics;
 using System.Text.Json;
-using NeuronMocap.Tests.Infrastructure;
 
 namespace NeuronMocap.Tool.Tests.Convert;
 

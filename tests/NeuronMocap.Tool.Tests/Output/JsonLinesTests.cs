@@ -5,7 +5,6 @@ using System.Text;
 using System.Text.Json;
 using NeuronMocap.Json;
 using NeuronMocap.Skeleton;
-using NeuronMocap.Tests.Infrastructure;
 using NeuronMocap.Tool.Output;
 using NeuronMocap.Tool.Tests.Infrastructure;
 

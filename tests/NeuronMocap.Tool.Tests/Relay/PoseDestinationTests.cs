@@ -5,7 +5,6 @@ using System.Net.Sockets;
 using System.Text;
 using NeuronMocap.Recording;
 using NeuronMocap.Server;
-using NeuronMocap.Tests.Infrastructure;
 using NeuronMocap.Tests.Network;
 using NeuronMocap.Tool.Relay;
 using NeuronMocap.Tool.Relay.Destinations;

@@ -1,6 +1,5 @@
 using System.Text;
 using System.Text.Json;
-using NeuronMocap.Tests.Infrastructure;
 using NeuronMocap.Tool.Terminal;
 using NeuronMocap.Tool.Tests.Files;
 using NeuronMocap.Tool.Tests.Infrastructure;

@@ -3,7 +3,6 @@ using System.Net.Sockets;
 using NeuronMocap.Bvh;
 using NeuronMocap.Commands;
 using NeuronMocap.Server;
-using NeuronMocap.Tests.Infrastructure;
 using NeuronMocap.Tool.Tests.Files;
 using NeuronMocap.Tool.Tests.Infrastructure;
 

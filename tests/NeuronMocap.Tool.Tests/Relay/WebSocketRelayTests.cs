@@ -6,7 +6,6 @@ using System.Text;
 using Microsoft.AspNetCore.Builder;
 using Microsoft.AspNetCore.Hosting;
 using NeuronMocap.Server;
-using NeuronMocap.Tests.Infrastructure;
 using NeuronMocap.Tests.Network;
 using NeuronMocap.Tool.Terminal;
 using NeuronMocap.Tool.Tests.Files;

@@ -1,5 +1,4 @@
 using NeuronMocap.Server;
-using NeuronMocap.Tests.Infrastructure;
 using NeuronMocap.Tool.Arguments;
 using NeuronMocap.Tool.View;
 using NeuronMocap.Tool.View.Control;

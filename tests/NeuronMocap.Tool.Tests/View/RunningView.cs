@@ -1,7 +1,6 @@
 using System.Net.Http.Headers;
 using System.Text;
 using System.Text.Json;
-using NeuronMocap.Tests.Infrastructure;
 using NeuronMocap.Tool.Terminal;
 
 namespace NeuronMocap.Tool.Tests.View;

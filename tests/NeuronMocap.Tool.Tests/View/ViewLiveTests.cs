@@ -1,7 +1,6 @@
 using System.Net.WebSockets;
 using System.Text.Json;
 using NeuronMocap.Skeleton;
-using NeuronMocap.Tests.Infrastructure;
 
 namespace NeuronMocap.Tool.Tests.View;
 

@@ -1,7 +1,6 @@
 using System.Net;
 using System.Numerics;
 using NeuronMocap.Skeleton;
-using NeuronMocap.Tests.Infrastructure;
 using NeuronMocap.Tool.Tests.Infrastructure;
 using NeuronMocap.Tool.View.Access;
 using NeuronMocap.Tool.View.Live;

@@ -1,5 +1,4 @@
 using System.Diagnostics;
-using System.Text.Json;
 using NeuronMocap.Tool.Tests.View;
 using NeuronMocap.View.Tests.Infrastructure;
 

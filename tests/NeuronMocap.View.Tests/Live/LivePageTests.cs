@@ -122,7 +122,7 @@ public sealed class LivePageTests(SharedBrowser browser)
     private static async Task<double> PosesAsync(TestPage page) =>
         (await page.EvaluateAsync("() => window.neuronMocap.state().performers[0]?.poses ?? 0")).GetDouble();
 
-    private static Task SetHiddenAsync(TestPage page, bool hidden) => page.EvaluateAsync(
+    private static Task<JsonElement> SetHiddenAsync(TestPage page, bool hidden) => page.EvaluateAsync(
         "hidden => { Object.defineProperty(document, 'hidden', { configurable: true, get: () => hidden }); document.dispatchEvent(new Event('visibilitychange')); return true; }",
         hidden);
 

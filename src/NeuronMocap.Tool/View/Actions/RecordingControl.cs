@@ -8,7 +8,6 @@ using NeuronMocap.Tool.View.Control;
 using NeuronMocap.Tool.View.Takes;
 using NeuronMocap.Tool.View.Web;
 using NeuronMocap.Tool.Watch.Recordings;
-using Take = NeuronMocap.Tool.Watch.Recordings.Take;
 
 namespace NeuronMocap.Tool.View.Actions;
 

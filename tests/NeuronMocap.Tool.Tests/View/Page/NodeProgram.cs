@@ -1,5 +1,4 @@
 using System.Diagnostics;
-using NeuronMocap.Tests.Infrastructure;
 
 namespace NeuronMocap.Tool.Tests.View.Page;
 

@@ -1,6 +1,5 @@
 using System.Reflection;
 using System.Text.Json;
-using NeuronMocap.Tests.Infrastructure;
 using NeuronMocap.Tool.View.Web;
 
 namespace NeuronMocap.Tool.Tests.View.Page;
