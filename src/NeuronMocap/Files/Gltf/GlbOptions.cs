@@ -1,47 +1,49 @@
 namespace NeuronMocap.Gltf;
 
-/// <summary>The keys of the animations in a GLB file. By default, there is a key for each frame.</summary>
+/// <summary>
+/// The keys of the animations in a GLB file. By default, there is a key for each frame. Changes apply to avatars that are added later.
+/// </summary>
 public sealed class GlbOptions
 {
     /// <summary>Largest value of <see cref="RotationTolerance"/>, in degrees.</summary>
     public const float MaxRotationTolerance = 45;
 
-    private readonly double? _frameRate;
-    private readonly float _rotationTolerance;
-    private readonly float _positionTolerance;
+    private double? _frameRate;
+    private float _rotationTolerance;
+    private float _positionTolerance;
 
-    /// <summary>Gets the rate of even keys, in keys per second. Null for keys at the times of the frames.</summary>
+    /// <summary>Gets or sets the rate of even keys, in keys per second. Null for keys at the times of the frames.</summary>
     /// <remarks>Keys between two frames are interpolated. The first key is at the time of the first frame.</remarks>
     /// <exception cref="ArgumentOutOfRangeException">The value is not positive, or not finite.</exception>
     public double? FrameRate
     {
         get => _frameRate;
-        init => _frameRate = value is null or (> 0 and < double.PositiveInfinity)
+        set => _frameRate = value is null or (> 0 and < double.PositiveInfinity)
             ? value
-            : throw new ArgumentOutOfRangeException(nameof(FrameRate), value, "A rate must be positive and finite.");
+            : throw new ArgumentOutOfRangeException(nameof(value), value, "A rate must be positive and finite.");
     }
 
     /// <summary>
-    /// Gets the angle by which a bone's rotation may differ from its frame, in degrees, 0 to <see cref="MaxRotationTolerance"/>. Keys that
+    /// Gets or sets the angle by which a bone's rotation may differ from its frame, in degrees, 0 to <see cref="MaxRotationTolerance"/>. Keys that
     /// interpolation restores within this angle are left out. 0 leaves out none, except those of bones that never rotate.
     /// </summary>
     /// <exception cref="ArgumentOutOfRangeException">The value is outside the range.</exception>
     public float RotationTolerance
     {
         get => _rotationTolerance;
-        init => _rotationTolerance = value is >= 0 and <= MaxRotationTolerance
+        set => _rotationTolerance = value is >= 0 and <= MaxRotationTolerance
             ? value
-            : throw new ArgumentOutOfRangeException(nameof(RotationTolerance), value, "The angle must be from 0 to 45 degrees.");
+            : throw new ArgumentOutOfRangeException(nameof(value), value, "The angle must be from 0 to 45 degrees.");
     }
 
-    /// <summary>Gets the distance by which the hips may differ from their frame, in millimetres. It is like <see cref="RotationTolerance"/>.</summary>
+    /// <summary>Gets or sets the distance by which the hips may differ from their frame, in millimetres. It is like <see cref="RotationTolerance"/>.</summary>
     /// <remarks>Other bones have position keys only if their positions change. For them, the distance is at least a thousandth of a millimetre.</remarks>
     /// <exception cref="ArgumentOutOfRangeException">The value is negative, or not finite.</exception>
     public float PositionTolerance
     {
         get => _positionTolerance;
-        init => _positionTolerance = value is >= 0 and < float.PositiveInfinity
+        set => _positionTolerance = value is >= 0 and < float.PositiveInfinity
             ? value
-            : throw new ArgumentOutOfRangeException(nameof(PositionTolerance), value, "The distance must be positive or 0.");
+            : throw new ArgumentOutOfRangeException(nameof(value), value, "The distance must be positive or 0.");
     }
 }

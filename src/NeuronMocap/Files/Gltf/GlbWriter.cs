@@ -134,7 +134,7 @@ public sealed class GlbWriter : IDisposable
             wanted += " (figure)";
 
         string free = wanted;
-        for (int number = 2; _avatars.Exists(avatar => avatar.Name == free); number++)
+        for (int number = 2; _avatars.Exists(avatar => string.Equals(avatar.Name, free, StringComparison.Ordinal)); number++)
             free = $"{wanted} ({number})";
 
         return free;
