@@ -1,7 +1,6 @@
 using System.Numerics;
 using NeuronMocap.Figures;
 using NeuronMocap.Gltf;
-using NeuronMocap.Recording;
 using NeuronMocap.Server;
 using NeuronMocap.Skeleton;
 using NeuronMocap.Tool.Files;
