@@ -57,9 +57,9 @@ internal sealed class TestPage : IAsyncDisposable
     /// <summary>Waits until an expression of the page is true.</summary>
     public Task UntilAsync(string condition, object? argument = null) => Page.WaitForFunctionAsync(condition, argument);
 
-    /// <summary>Waits until performers move, with their figures.</summary>
+    /// <summary>Waits until performers are shown with their figures.</summary>
     public Task UntilMovingAsync(int performers = 1) => UntilAsync(
-        $"count => {{ const all = {Hook}.state().performers; return all.length === count && all.every(each => each.poses > 1 && each.hasFigure); }}", performers);
+        $"count => {{ const all = {Hook}.state().performers; return all.length === count && all.every(each => each.poses > 0 && each.hasFigure); }}", performers);
 
     /// <summary>Calls a function of the page.</summary>
     /// <returns>The result as JSON, or Undefined for a function without result.</returns>
