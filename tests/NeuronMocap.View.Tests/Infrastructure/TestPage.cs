@@ -57,11 +57,18 @@ internal sealed class TestPage : IAsyncDisposable
     /// <summary>Waits until an expression of the page is true.</summary>
     public Task UntilAsync(string condition, object? argument = null) => Page.WaitForFunctionAsync(condition, argument);
 
-    /// <summary>Waits until performers move, with their figures.</summary>
+    /// <summary>Waits until performers are shown with their figures.</summary>
     public Task UntilMovingAsync(int performers = 1) => UntilAsync(
-        $"count => {{ const all = {Hook}.state().performers; return all.length === count && all.every(each => each.poses > 1 && each.hasFigure); }}", performers);
+        $"count => {{ const all = {Hook}.state().performers; return all.length === count && all.every(each => each.poses > 0 && each.hasFigure); }}", performers);
 
-    public Task<JsonElement> EvaluateAsync(string expression, object? argument = null) => Page.EvaluateAsync<JsonElement>(expression, argument);
+    /// <summary>Calls a function of the page.</summary>
+    /// <returns>The result as JSON, or Undefined for a function without result.</returns>
+    public async Task<JsonElement> EvaluateAsync(string function, object? argument = null)
+    {
+        // As text, because the driver adds numbers of its own to nested objects.
+        string? text = await Page.EvaluateAsync<string?>($"async argument => JSON.stringify(await ({function})(argument))", argument);
+        return text is null ? default : JsonDocument.Parse(text).RootElement;
+    }
 
     public Task<JsonElement> StateAsync() => EvaluateAsync($"() => {Hook}.state()");
 

@@ -56,7 +56,7 @@ public sealed class TakePageTests(SharedBrowser browser)
         await using TestPage page = await TestPage.OpenAsync(browser, view.Link);
         await page.UntilMovingAsync();
         await page.DropAsync("picture.txt", [1, 2, 3]);
-        await page.Page.GetByText("picture.txt is not a file that this page shows.").WaitForAsync();
+        await page.UntilAsync("() => document.querySelector('.notices').textContent.includes('picture.txt is not a file that this page shows.')");
         string path = Repository.PathOf("samples", "takes", "walk.nmrec");
         await page.DropAsync("walk.nmrec", await File.ReadAllBytesAsync(path, TestContext.Current.CancellationToken));
         await UntilShownAsync(page);
