@@ -20,6 +20,7 @@ public sealed class TakePageTests(SharedBrowser browser)
         var source = new BvhSource(BvhDocument.Load(Walk));
         await using RunningView view = await RunningView.StartAsync("demo");
         await using TestPage page = await TestPage.OpenAsync(browser, view.Link, 640, 480);
+        await page.UntilMovingAsync();
         await page.ChooseAsync(() => page.Page.Keyboard.PressAsync("o"), Walk);
         await UntilShownAsync(page);
         await AssertJointsAsync(page, source, 0);
@@ -56,7 +57,7 @@ public sealed class TakePageTests(SharedBrowser browser)
         await using TestPage page = await TestPage.OpenAsync(browser, view.Link);
         await page.UntilMovingAsync();
         await page.DropAsync("picture.txt", [1, 2, 3]);
-        await page.UntilAsync("() => document.querySelector('.notices').textContent.includes('picture.txt is not a file that this page shows.')");
+        await page.UntilAsync("() => document.querySelector('.notice.problem')?.textContent.includes('picture.txt')");
         string path = Repository.PathOf("samples", "takes", "walk.nmrec");
         await page.DropAsync("walk.nmrec", await File.ReadAllBytesAsync(path, TestContext.Current.CancellationToken));
         await UntilShownAsync(page);
