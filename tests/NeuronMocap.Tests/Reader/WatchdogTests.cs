@@ -8,6 +8,8 @@ namespace NeuronMocap.Tests.Reader;
 public sealed class WatchdogTests
 {
     private static readonly TimeSpan Ordinary = TimeSpan.FromMilliseconds(25);
+    private static readonly TimeSpan Seldom = TimeSpan.FromTicks(Watchdog.Idleness * Ordinary.Ticks);
+    private static readonly TimeSpan Silence = TimeSpan.FromTicks(4 * Ordinary.Ticks);
 
     [Theory]
     [InlineData(false)]
@@ -20,7 +22,7 @@ public sealed class WatchdogTests
         reader.Start();
         using TestConnection connection = await server.AcceptAsync();
         await log.WaitAsync(static status => status is { State: ConnectionState.Silent, Reason: ConnectionReason.NoData });
-        await Limits.UntilAsync(() => reader.CheckPeriod == Watchdog.Idleness * Ordinary);
+        await Limits.UntilAsync(() => reader.CheckPeriod == Seldom);
 
         connection.Socket.Send(isGarbage ? Encoding.ASCII.GetBytes("SSH-2.0-OpenSSH_9.6\r\n") : TestPackets.Motion(1));
         if (isGarbage)
@@ -32,7 +34,7 @@ public sealed class WatchdogTests
         {
             // Silence is found as early as before, and then checks become seldom again.
             await log.WaitAsync(ConnectionState.Receiving);
-            await Limits.UntilAsync(() => reader.Status.State == ConnectionState.Silent && reader.CheckPeriod == Watchdog.Idleness * Ordinary);
+            await Limits.UntilAsync(() => reader.Status.State == ConnectionState.Silent && reader.CheckPeriod == Seldom);
         }
     }
 
@@ -59,7 +61,7 @@ public sealed class WatchdogTests
             Transport = TransportKind.Udp,
             Port = 0,
             AllowedSenders = [IPAddress.Parse("192.0.2.1")],
-            SilenceTimeout = 4 * Ordinary,
+            SilenceTimeout = Silence,
         });
         var log = new StatusLog(reader);
         reader.Start();
@@ -84,7 +86,7 @@ public sealed class WatchdogTests
             }
 
             watchdog.Check();
-            Assert.Equal(Watchdog.Idleness * period, watchdog.Period);
+            Assert.Equal(TimeSpan.FromTicks(Watchdog.Idleness * period.Ticks), watchdog.Period);
 
             isIdle = false;
             watchdog.Adjust();
@@ -106,7 +108,7 @@ public sealed class WatchdogTests
     private static NeuronReaderOptions Options(TestServer server)
     {
         NeuronReaderOptions options = server.Options();
-        options.SilenceTimeout = 4 * Ordinary;
+        options.SilenceTimeout = Silence;
         return options;
     }
 }
