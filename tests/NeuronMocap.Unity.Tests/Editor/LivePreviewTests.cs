@@ -1,3 +1,4 @@
+using System.Diagnostics;
 using NeuronMocap.Unity.EditorTools;
 using NeuronMocap.Unity.Tests.Drivers;
 using NeuronMocap.Unity.Tests.Infrastructure;
@@ -332,13 +333,17 @@ public sealed class LivePreviewTests : IDisposable
         Assert.DoesNotContain(PreviewButton.Label, EditorWorld.Labels("Toggle"));
     }
 
+    // The time of the editor is that of the simulator, which has threads of its own. A faster one would let the performer seem lost on a busy computer.
     private static void TickUntil(Func<bool> condition)
     {
         MainThread.Claim();
+        long last = Stopwatch.GetTimestamp();
         Assert.True(SpinWait.SpinUntil(
             () =>
             {
-                EditorApplication.Tick(0.01);
+                long now = Stopwatch.GetTimestamp();
+                EditorApplication.Tick((now - last) / (double)Stopwatch.Frequency);
+                last = now;
                 return condition();
             },
             Limits.Unexpected));
