@@ -25,7 +25,7 @@ try {
     logLevel: "warning",
   });
   const files = tests.map(name => join(folder, name.replace(/\.ts$/, ".mjs")));
-  const run = spawnSync(process.execPath, ["--test", ...files], { stdio: "inherit" });
+  const run = spawnSync(process.execPath, ["--test", ...files], { cwd: root, stdio: "inherit" });
   process.exitCode = run.status ?? 1;
 } finally {
   await rm(folder, { recursive: true, force: true });
