@@ -4,6 +4,7 @@ import type { Settings, SettingsStore } from "../page/settings";
 import type { View, Views } from "../scene/views";
 import { iconButton, setPressed } from "./buttons";
 import type { IconName } from "./icons";
+import { addToolbarKeys } from "./toolbarKeys";
 
 type Choice = "axes" | "trails" | "contacts" | "names" | "mirror" | "follow";
 
@@ -43,6 +44,7 @@ export function createToolbar(place: HTMLElement, settings: SettingsStore, views
   const choices = Choices.map(([name, icon, words, key]) => toggle(name, icon, words, key, "Stage"));
   bar.append(group("Show", ...choices));
 
+  addToolbarKeys(bar);
   views.onChange(() => showView());
   settings.watch(now => {
     setPressed(follow, now.follow);

@@ -2,6 +2,7 @@ import { element, setText } from "../page/dom";
 import type { Keys, Shortcut } from "../page/keys";
 import { iconButton, setPressed } from "../panel/buttons";
 import { setIcon } from "../panel/icons";
+import { addToolbarKeys } from "../panel/toolbarKeys";
 import { type Playback, Speeds } from "./playback";
 import { clock } from "./ticks";
 
@@ -53,6 +54,7 @@ export class Transport {
         iconButton("in", "Start of the part", "[", () => playback.setFrom(playback.time)),
         iconButton("out", "End of the part", "]", () => playback.setTo(playback.time)),
         this._part, this._speed, this._plot));
+    addToolbarKeys(this.element);
     this.refresh();
   }
 
