@@ -9,26 +9,34 @@ export interface Chunk {
 export type ChunkLoader = (chunk: number) => Promise<ArrayBuffer>;
 
 const MostRequests = 2;
+const RetryAfter = 1000;
 const TimeOffset = 8;
 
 /** Keeps the chunks around the cursor, and loads those that come next. Its memory does not depend on the length of the take. */
 export class ChunkCache {
   /** Called when a chunk has arrived. */
   onLoad: (() => void) | null = null;
+  /** Called when a chunk could not be loaded. If it returns false, nothing more is asked for. */
+  onFail: ((error: Error) => boolean) | null = null;
   private readonly _load: ChunkLoader;
   private readonly _most: number;
   private readonly _chunks = new Map<number, Chunk>();
   private readonly _pending = new Set<number>();
-  private readonly _failed = new Set<number>();
   private _count = 0;
   private _cursor = 0;
   private _direction = 1;
   private _generation = 0;
+  private _rests = false;
+  private readonly _wait: (run: () => void) => void;
 
-  /** @param most The largest number of chunks in memory. */
-  constructor(load: ChunkLoader, most = 64) {
+  /**
+   * @param most The largest number of chunks in memory.
+   * @param wait Runs something later. After a failure, nothing is asked for until then, so that a dead server is not flooded.
+   */
+  constructor(load: ChunkLoader, most = 64, wait: (run: () => void) => void = run => void setTimeout(run, RetryAfter)) {
     this._load = load;
     this._most = most;
+    this._wait = wait;
   }
 
   get size(): number {
@@ -45,7 +53,6 @@ export class ChunkCache {
   /** Forgets a chunk. */
   drop(index: number): void {
     this._chunks.delete(index);
-    this._failed.delete(index);
     if (this._pending.delete(index))
       this._generation++;
   }
@@ -68,7 +75,7 @@ export class ChunkCache {
   clear(): void {
     this._chunks.clear();
     this._pending.clear();
-    this._failed.clear();
+    this._count = 0;
     this._generation++;
   }
 
@@ -100,11 +107,11 @@ export class ChunkCache {
   }
 
   private _isMissing(index: number): boolean {
-    return index >= 0 && index < this._count && !this._chunks.has(index) && !this._pending.has(index) && !this._failed.has(index);
+    return index >= 0 && index < this._count && !this._chunks.has(index) && !this._pending.has(index);
   }
 
   private _pump(): void {
-    while (this._pending.size < MostRequests) {
+    while (!this._rests && this._pending.size < MostRequests) {
       const next = this._next();
       if (next < 0)
         return;
@@ -116,10 +123,11 @@ export class ChunkCache {
 
   private async _fetch(index: number, generation: number): Promise<void> {
     let chunk: Chunk | null = null;
+    let failure: Error | null = null;
     try {
       chunk = parseChunk(index, await this._load(index));
-    } catch {
-      // Not asked for again until the take grows or opens again, so that a dead server is not flooded.
+    } catch (error) {
+      failure = error as Error;
     }
 
     if (generation !== this._generation && !this._pending.has(index))
@@ -131,10 +139,24 @@ export class ChunkCache {
       this._evict();
       this.onLoad?.();
     } else {
-      this._failed.add(index);
+      this._rest(failure!);
     }
 
     this._pump();
+  }
+
+  private _rest(failure: Error): void {
+    if (this._rests)
+      return;
+
+    this._rests = true;
+    if (this.onFail?.(failure) === false)
+      return;
+
+    this._wait(() => {
+      this._rests = false;
+      this._pump();
+    });
   }
 
   private _evict(): void {

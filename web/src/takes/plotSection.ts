@@ -5,7 +5,7 @@ import { Plot } from "./plot";
 import type { TimeView } from "./timeView";
 
 const Quantities = [["height", "Height"], ["angle", "Angle"], ["speed", "Speed"]] as const;
-const MostCurves = 8;
+const MostCurves = 64;
 const WaitForMore = 60;
 
 /** The plot with its choices. Asks the server for the visible part. */

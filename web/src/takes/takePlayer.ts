@@ -1,12 +1,21 @@
 import { decodePose, Pose } from "../live/pose";
+import { ApiError } from "../page/api";
 import type { Page } from "../page/page";
 import { isIn, type TakeContacts, type TakeInfo, toPerformer } from "./info";
+import { blend } from "./blend";
 import type { Playback } from "./playback";
 import { Track } from "./track";
+
+// Frames that stay longer on the screen are blended while the take plays, in milliseconds.
+const LongestStill = 20;
+const NotFound = 404;
+// Milliseconds: times of gaps and frames are rounded to microseconds.
+const SameTime = 0.01;
 
 interface Shown {
   readonly track: Track;
   contacts: TakeContacts | null;
+  /** The frame that is shown as it is; -1 for none, or a blend of two. */
   frame: number;
 }
 
@@ -19,6 +28,8 @@ export class TakePlayer {
   private readonly _page: Page;
   private readonly _playback: Playback;
   private readonly _pose = new Pose();
+  private readonly _next = new Pose();
+  private _wasPlaying = false;
   private readonly _performers: Shown[] = [];
   private readonly _base: string;
   private _time = NaN;
@@ -44,6 +55,7 @@ export class TakePlayer {
       shown.track.cache.onLoad = () => {
         this._fresh = true;
       };
+      shown.track.cache.onFail = error => this._keepsAsking(error);
       const { step, times } = await this._page.api.get<{ step: number; times: number[] }>(`${this._base}/times?${query}`);
       if (this._isDisposed)
         return;
@@ -73,7 +85,9 @@ export class TakePlayer {
   /** Shows the frames of the current time. Allocates nothing. Returns whether anything may have changed. */
   show(): boolean {
     const time = this._playback.time;
-    if (time === this._time && !this._fresh)
+    const hasStopped = this._wasPlaying && !this._playback.playing;
+    this._wasPlaying = this._playback.playing;
+    if (time === this._time && !this._fresh && !hasStopped)
       return false;
 
     const direction = time === this._time ? 0 : time < this._time ? -1 : 1;
@@ -105,6 +119,7 @@ export class TakePlayer {
     this._isDisposed = true;
     for (const { track } of this._performers) {
       track.cache.onLoad = null;
+      track.cache.onFail = null;
       track.cache.clear();
     }
 
@@ -125,16 +140,49 @@ export class TakePlayer {
 
     if (shown.contacts)
       performer.setContacts(isIn(shown.contacts.left, time), isIn(shown.contacts.right, time));
-    if (frame === shown.frame && performer.hasPose)
+
+    const part = this._playback.playing ? this._partAfter(track, frame, time) : 0;
+    if (part === 0 && frame === shown.frame && performer.hasPose)
       return;
 
     const view = track.pose(frame);
     if (!view || !decodePose(view, this._pose))
       return;
 
-    shown.frame = frame;
+    if (part > 0 && decodePose(track.pose(frame + 1)!, this._next))
+      blend(this._pose, this._next, part);
+    shown.frame = part > 0 ? -1 : frame;
     performer.show(this._pose);
   }
+
+  // How far the time is on its way to the next frame, 0 to 1. 0 if frames follow fast enough, at a gap, or if the next frame is not there yet.
+  private _partAfter(track: Track, frame: number, time: number): number {
+    const from = track.timeOf(frame);
+    const to = track.timeOf(frame + 1);
+    const isStill = to - from > LongestStill * this._playback.speed;
+    return isStill && time > from && !endsAtGap(track, from) ? Math.min(1, (time - from) / (to - from)) : 0;
+  }
+
+  // The program may be away for a moment. A take that it has closed does not come back.
+  private _keepsAsking(error: Error): boolean {
+    if (!(error instanceof ApiError) || error.status !== NotFound)
+      return true;
+
+    this._playback.pause();
+    this._page.notices.problem(error.message);
+    return false;
+  }
+}
+
+// Allocates nothing.
+function endsAtGap(track: Track, time: number): boolean {
+  const gaps = track.info.gaps;
+  for (let i = 0; i < gaps.length; i++) {
+    if (Math.abs(gaps[i][0] - time) < SameTime)
+      return true;
+  }
+
+  return false;
 }
 
 function isInGap(track: Track, time: number): boolean {

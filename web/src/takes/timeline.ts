@@ -17,7 +17,10 @@ export interface Lane {
 
 const RulerHeight = 22;
 const LaneHeight = 24;
-const MostLanes = 6;
+const LeastLaneHeight = 4;
+// More lanes share the height of these.
+const FullLanes = 6;
+const LabelledHeight = 20;
 const PixelsPerMark = 84;
 
 /** The time line: ruler, frames and gaps of each performer, contacts of the feet, the chosen part and the cursor. */
@@ -31,6 +34,7 @@ export class Timeline {
   private readonly _playback: Playback;
   private readonly _view: TimeView;
   private _lanes: readonly Lane[] = [];
+  private _laneHeight = LaneHeight;
   private _cursorColour = "";
 
   constructor(playback: Playback, view: TimeView) {
@@ -45,8 +49,9 @@ export class Timeline {
   }
 
   show(lanes: readonly Lane[]): void {
-    this._lanes = lanes.slice(0, MostLanes);
-    this.element.style.height = `${RulerHeight + Math.max(1, this._lanes.length) * LaneHeight + 6}px`;
+    this._lanes = lanes;
+    this._laneHeight = laneHeight(lanes.length);
+    this.element.style.height = `${RulerHeight + Math.max(1, lanes.length) * this._laneHeight + 6}px`;
     this.draw();
   }
 
@@ -65,23 +70,23 @@ export class Timeline {
     const dim = canvas.colour("--dim");
     this._cursorColour = canvas.colour("--accent");
     drawRuler(context, canvas, this._view, dim, line);
-    this._lanes.forEach((lane, i) => this._drawLane(context, lane, RulerHeight + i * LaneHeight, dim));
+    this._lanes.forEach((lane, i) => this._drawLane(context, lane, RulerHeight + i * this._laneHeight, dim));
     this._drawPart(context, canvas.colour("--background"), this._cursorColour);
     this.setCursor(this._playback.time);
   }
 
   private _drawLane(context: CanvasRenderingContext2D, lane: Lane, top: number, dim: string): void {
-    const { _canvas: canvas, _view: view } = this;
+    const { _canvas: canvas, _view: view, _laneHeight: height } = this;
     const x = (time: number): number => xOf(time, view, canvas.axis);
     context.fillStyle = lane.colour;
     context.beginPath();
-    context.arc(12, top + LaneHeight / 2, 4, 0, 2 * Math.PI);
+    context.arc(12, top + height / 2, Math.min(4, height / 2 - 0.5), 0, 2 * Math.PI);
     context.fill();
     context.fillStyle = dim;
     context.font = "10px system-ui, sans-serif";
     context.textAlign = "right";
     context.textBaseline = "middle";
-    if (lane.contacts) {
+    if (lane.contacts && height >= LabelledHeight) {
       context.fillText("L", Gutter - 8, top + 7.5);
       context.fillText("R", Gutter - 8, top + 17.5);
     }
@@ -89,14 +94,14 @@ export class Timeline {
     clipToAxis(context, canvas, () => {
       context.globalAlpha = 0.16;
       context.fillStyle = lane.colour;
-      context.fillRect(x(lane.start), top + 1, Math.max(1, x(lane.end) - x(lane.start)), LaneHeight - 2);
+      context.fillRect(x(lane.start), top + 1, Math.max(1, x(lane.end) - x(lane.start)), Math.max(2, height - 2));
       context.globalAlpha = 1;
       for (const gap of lane.gaps)
-        drawGap(context, x(gap[0]), x(gap[1]), top, canvas.colour("--panel"), dim);
+        drawGap(context, x(gap[0]), x(gap[1]), top, height, canvas.colour("--panel"), dim);
       context.fillStyle = lane.colour;
       if (lane.contacts) {
-        drawSteps(context, lane.contacts.left, view, x, top + 4);
-        drawSteps(context, lane.contacts.right, view, x, top + 14);
+        drawSteps(context, lane.contacts.left, view, x, top + height / 6, height / 4);
+        drawSteps(context, lane.contacts.right, view, x, top + height * 7 / 12, height / 4);
       }
     });
   }
@@ -121,6 +126,11 @@ export class Timeline {
       context.fillRect(to - 1, RulerHeight - 6, 2, canvas.height);
     });
   }
+}
+
+/** Pixels for each performer: all of them are visible. */
+export function laneHeight(lanes: number): number {
+  return Math.max(LeastLaneHeight, Math.min(LaneHeight, Math.floor(FullLanes * LaneHeight / Math.max(1, lanes))));
 }
 
 /** The place of a time, in CSS pixels. */
@@ -180,7 +190,7 @@ export function clipToAxis(context: CanvasRenderingContext2D, canvas: LayeredCan
   context.restore();
 }
 
-function drawSteps(context: CanvasRenderingContext2D, steps: readonly Stretch[], view: TimeView, x: (time: number) => number, top: number): void {
+function drawSteps(context: CanvasRenderingContext2D, steps: readonly Stretch[], view: TimeView, x: (time: number) => number, top: number, height: number): void {
   let last = -Infinity;
   for (const [from, to] of steps) {
     if (to < view.from || from > view.to)
@@ -189,27 +199,27 @@ function drawSteps(context: CanvasRenderingContext2D, steps: readonly Stretch[],
     // At hours in a picture, steps closer than a pixel are one.
     const start = Math.max(x(from), last);
     const end = Math.max(x(to), start + 0.75);
-    context.fillRect(start, top, end - start, 6);
+    context.fillRect(start, top, end - start, height);
     last = end;
   }
 }
 
 // Diagonal lines.
-function drawGap(context: CanvasRenderingContext2D, from: number, to: number, top: number, background: string, line: string): void {
+function drawGap(context: CanvasRenderingContext2D, from: number, to: number, top: number, height: number, background: string, line: string): void {
   const width = Math.max(2, to - from);
   context.save();
   context.beginPath();
-  context.rect(from, top + 1, width, LaneHeight - 2);
+  context.rect(from, top + 1, width, Math.max(2, height - 2));
   context.clip();
   context.fillStyle = background;
-  context.fillRect(from, top, width, LaneHeight);
+  context.fillRect(from, top, width, height);
   context.strokeStyle = line;
   context.globalAlpha = 0.5;
   context.beginPath();
-  const start = Math.max(from, 0) - LaneHeight;
+  const start = Math.max(from, 0) - height;
   for (let x = start; x < Math.min(to, context.canvas.width); x += 6) {
-    context.moveTo(x, top + LaneHeight);
-    context.lineTo(x + LaneHeight, top);
+    context.moveTo(x, top + height);
+    context.lineTo(x + height, top);
   }
 
   context.stroke();

@@ -1,11 +1,14 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
+import { BoneCount, Pose } from "../../src/live/pose";
+import { blend } from "../../src/takes/blend";
 import { ChunkCache, parseChunk } from "../../src/takes/chunkCache";
 import { isIn, type TakePerformerInfo } from "../../src/takes/info";
 import { Playback } from "../../src/takes/playback";
 import { rangeOf, runsOf } from "../../src/takes/plot";
 import { clock, decimalsOf, timeMark, timeStep, valueStep } from "../../src/takes/ticks";
 import { TimeView } from "../../src/takes/timeView";
+import { laneHeight } from "../../src/takes/timeline";
 import { findLast, Track } from "../../src/takes/track";
 
 const FrameMs = 10;
@@ -56,12 +59,16 @@ test("the cache loads the cursor first, then ahead, then behind, and stays bound
   assert.ok(cache.get(10) && cache.get(9) && cache.get(3));
 });
 
-test("a chunk that cannot be loaded is not asked for again and again", async () => {
+test("a chunk that cannot be loaded is asked for again after a while, and not before", async () => {
   let asked = 0;
+  let isDead = true;
+  const waiting: (() => void)[] = [];
   const cache = new ChunkCache(async () => {
     asked++;
-    throw new Error("gone");
-  });
+    if (isDead)
+      throw new Error("gone");
+    return bytesOf(0, 1);
+  }, 64, run => waiting.push(run));
   cache.grow(1);
   for (let i = 0; i < 10; i++) {
     cache.moveTo(0, 1);
@@ -69,6 +76,48 @@ test("a chunk that cannot be loaded is not asked for again and again", async () 
   }
 
   assert.equal(asked, 1);
+  isDead = false;
+  assert.equal(waiting.length, 1);
+  waiting.pop()!();
+  await settled();
+  assert.equal(asked, 2);
+  assert.ok(cache.get(0));
+});
+
+test("a take that is gone is not asked for again", async () => {
+  const cache = new ChunkCache(async () => {
+    throw new Error("closed");
+  }, 64, () => assert.fail("asked again"));
+  const failures: string[] = [];
+  cache.onFail = error => failures.push(error.message) < 0;
+  cache.grow(100);
+  cache.moveTo(0, 1);
+  await settled();
+  cache.moveTo(50, 1);
+  await settled();
+  assert.deepEqual(failures, ["closed"]);
+});
+
+test("two poses are blended on the shorter way", () => {
+  const [from, to] = [new Pose(), new Pose()];
+  const [sin, cos] = [Math.SQRT1_2, Math.SQRT1_2];
+  for (let bone = 0; bone < BoneCount; bone++) {
+    from.rotations[bone * 4 + 3] = 1;
+    to.rotations.set([-sin, 0, 0, -cos], bone * 4);
+  }
+
+  [from.time, to.time] = [100, 200];
+  to.hips.set([1, 2, 3]);
+  blend(from, to, 0.5);
+  assert.equal(from.time, 150);
+  assert.deepEqual([...from.hips], [0.5, 1, 1.5]);
+  assert.ok(Math.abs(2 * Math.asin(from.rotations[4]) - Math.PI / 4) < 1e-6);
+});
+
+test("the lanes of all performers fit", () => {
+  assert.equal(laneHeight(1), laneHeight(6));
+  for (const lanes of [7, 20, 36])
+    assert.ok(laneHeight(lanes) * lanes <= laneHeight(6) * 6 && laneHeight(lanes) > 0);
 });
 
 test("a track finds frames by time, also where the take grows", async () => {
