@@ -90,7 +90,7 @@ internal sealed class ViewRun(ViewOptions options, StandardStreams streams)
         connection is { Server: { } server, CommandPort: { } port } ? server with { Port = port } : null;
 
     private HelloJson Hello(string mode, string? take, bool canCommand, IReadOnlyList<PerformerJson> performers) =>
-        new(ToolCommand.Name, Version, mode, options.Source.ToString(), take, canCommand, performers);
+        new(ToolCommand.Name, Version, mode, options.Source.ToString(), take, canCommand, options.UploadMegabytes * BodyLimit.Megabyte, performers);
 
     private ScratchFolder CreateScratch() => new(UploadsThatFit * options.UploadMegabytes * BodyLimit.Megabyte);
 

@@ -28,6 +28,8 @@ export interface Hello {
   readonly source: string;
   readonly take?: string;
   readonly canCommand: boolean;
+  /** Bytes of the largest take that the server takes. */
+  readonly uploadLimit?: number;
   readonly performers: readonly PerformerInfo[];
 }
 

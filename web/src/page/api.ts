@@ -32,7 +32,7 @@ export class Api {
     }
 
     if (!answer.ok)
-      throw new ApiError(answer.status, await sentence(answer));
+      throw new ApiError(answer.status, sentenceOf(await answer.text(), answer.status));
     return answer;
   }
 
@@ -53,6 +53,27 @@ export class Api {
     });
     const text = await answer.text();
     return text === "" ? null : JSON.parse(text) as T;
+  }
+
+  /** Sends a file, and tells how much of it has left: 0 to 1. fetch does not know that. */
+  upload<T>(path: string, file: Blob, progress: (part: number) => void, signal: AbortSignal): Promise<T> {
+    return new Promise((resolve, reject) => {
+      const request = new XMLHttpRequest();
+      request.open("POST", `api/${path}`);
+      if (this._token !== null)
+        request.setRequestHeader("Authorization", `Bearer ${this._token}`);
+      request.upload.addEventListener("progress", event => progress(event.loaded / Math.max(1, event.total)));
+      request.addEventListener("load", () => {
+        if (request.status >= 200 && request.status < 300)
+          resolve(JSON.parse(request.responseText) as T);
+        else
+          reject(new ApiError(request.status, sentenceOf(request.responseText, request.status)));
+      });
+      request.addEventListener("error", () => reject(new ApiError(0, "The program does not answer.")));
+      request.addEventListener("abort", () => reject(new DOMException("The upload was cancelled.", "AbortError")));
+      signal.addEventListener("abort", () => request.abort());
+      request.send(file);
+    });
   }
 
   /** Opens a WebSocket of the server. */
@@ -102,10 +123,10 @@ function keepToken(token: string): boolean {
   }
 }
 
-async function sentence(answer: Response): Promise<string> {
+function sentenceOf(answer: string, status: number): string {
   try {
-    return (await answer.json() as { error: string }).error;
+    return (JSON.parse(answer) as { error: string }).error;
   } catch {
-    return `The program answered with status ${answer.status}.`;
+    return `The program answered with status ${status}.`;
   }
 }

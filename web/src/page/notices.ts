@@ -1,4 +1,11 @@
-import { element } from "./dom";
+import { element, setText } from "./dom";
+
+/** Shows how far something is. */
+export interface ProgressNotice {
+  /** @param part 0 to 1. */
+  show(part: number): void;
+  end(): void;
+}
 
 /** Short messages at the edge of the page. Screen readers read them. */
 export class Notices {
@@ -18,12 +25,30 @@ export class Notices {
     this._show(text, "notice problem", 30_000);
   }
 
+  /** Shows work that takes a while, until it ends. */
+  progress(text: string, cancel: () => void): ProgressNotice {
+    const bar = element("progress", { max: "1", value: "0", "aria-label": text });
+    const share = element("small", {}, "0 %");
+    const stop = element("button", { class: "button", type: "button" }, "Cancel");
+    stop.addEventListener("click", cancel);
+    const notice = element("div", { class: "notice working" }, element("span", {}, text), share, bar, stop);
+    this._list.append(notice);
+    return {
+      show(part) {
+        bar.value = part;
+        setText(share, part < 1 ? `${Math.floor(part * 100)} %` : "Reading");
+      },
+      end: () => notice.remove(),
+    };
+  }
+
   /** Runs a request, and shows its error as a problem. */
   async attempt<T>(work: () => Promise<T>): Promise<T | undefined> {
     try {
       return await work();
     } catch (error) {
-      this.problem((error as Error).message);
+      if ((error as Error).name !== "AbortError")
+        this.problem((error as Error).message);
       return undefined;
     }
   }

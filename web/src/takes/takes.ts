@@ -1,4 +1,6 @@
+import { ApiError } from "../page/api";
 import type { Page, Takes } from "../page/page";
+import { bytes } from "../panel/format";
 import type { TakeContacts, TakeInfo } from "./info";
 import { Playback } from "./playback";
 import { PlotSection } from "./plotSection";
@@ -80,8 +82,13 @@ class TakeScreen implements Takes {
     const player = this._player = new TakePlayer(this._page, this._playback, id);
     this._page.slots.timeline.replaceChildren(this._transport.element, this._timeline.element, this._plot.element);
     this._removeKeys = this._transport.addKeys(this._page.keys);
-    await this._show(info, player);
-    void this._watch(player, info);
+    let isShown = false;
+    try {
+      await this._show(info, player);
+      isShown = true;
+    } finally {
+      void this._watch(player, info, isShown);
+    }
   }
 
   close(): void {
@@ -111,30 +118,45 @@ class TakeScreen implements Takes {
   }
 
   private async _upload(file: File): Promise<void> {
-    this._page.notices.say(`Opening ${file.name} …`);
-    await this._page.notices.attempt(async () => {
-      const answer = await this._page.api.send(`takes?name=${encodeURIComponent(file.name)}`, { method: "POST", body: file });
-      await this.open((await answer.json() as { id: string }).id);
+    const { api, notices, connection } = this._page;
+    const most = connection.hello?.uploadLimit ?? Infinity;
+    if (file.size > most) {
+      notices.problem(`${file.name} has ${bytes(file.size)}, and the program takes ${bytes(most)}. Start it with a larger --upload-limit.`);
+      return;
+    }
+
+    const cancel = new AbortController();
+    const progress = notices.progress(`Opening ${file.name}`, () => cancel.abort());
+    await notices.attempt(async () => {
+      const address = `takes?name=${encodeURIComponent(file.name)}`;
+      const { id } = await api.upload<{ id: string }>(address, file, part => progress.show(part), cancel.signal);
+      await this.open(id);
     });
+    progress.end();
   }
 
-  // Asks again while the server reads the file.
-  private async _watch(player: TakePlayer, info: TakeInfo): Promise<void> {
+  // Asks again while the server reads the file, and while it does not answer.
+  private async _watch(player: TakePlayer, info: TakeInfo, isShown: boolean): Promise<void> {
     let known = info;
-    while (known.progress < 1) {
+    while (known.progress < 1 || !isShown) {
       await new Promise(resolve => setTimeout(resolve, AskAgain));
       if (this._player !== player)
         return;
 
       try {
-        known = await this._page.api.get<TakeInfo>(`takes/${encodeURIComponent(info.id)}`);
+        const now = await this._page.api.get<TakeInfo>(`takes/${encodeURIComponent(info.id)}`);
+        if (this._player !== player)
+          return;
+
+        await this._show(now, player);
+        [known, isShown] = [now, true];
       } catch (error) {
+        if (error instanceof ApiError && error.status === 0)
+          continue;
+
         this._page.notices.problem((error as Error).message);
         return;
       }
-
-      if (this._player === player)
-        await this._show(known, player);
     }
   }
 
