@@ -1,6 +1,7 @@
 import { element } from "../page/dom";
 import type { Page } from "../page/page";
 import { wordButton } from "./buttons";
+import { copyText } from "./copy";
 import { openDialog } from "./dialog";
 
 interface Diagnosis {
@@ -30,9 +31,8 @@ function show(diagnosis: Diagnosis): void {
   const text = diagnosis.lines.join("\n");
   const copy = element("button", { type: "button", class: "button" }, "Copy");
   copy.addEventListener("click", async () => {
-    await navigator.clipboard.writeText(text);
-    copy.textContent = "Copied";
+    copy.textContent = await copyText(text, dialog) ? "Copied" : "Select the text and copy it";
   });
   const verdict = diagnosis.verdict ? [element("p", { class: "verdict" }, diagnosis.verdict)] : [];
-  openDialog("Diagnosis", ...verdict, element("pre", { tabindex: "0", "aria-label": "Report" }, text), element("div", { class: "answers" }, copy));
+  const dialog = openDialog("Diagnosis", ...verdict, element("pre", { tabindex: "0", "aria-label": "Report" }, text), element("div", { class: "answers" }, copy));
 }
