@@ -37,6 +37,7 @@ export class Character {
   private _objects: readonly Object3D[] = [];
   private _hips: Object3D | null = null;
   private _pose = new CharacterPose(0);
+  private _next = new CharacterPose(0);
   private _since = Infinity;
   private _hasPose = false;
 
@@ -72,13 +73,16 @@ export class Character {
     this._objects = bones.bones.map(bone => this.skeleton.objects[bone.node]);
     this._hips = this.skeleton.objects[bones.hipsNode];
     this._pose = new CharacterPose(bones.bones.length);
+    this._next = new CharacterPose(bones.bones.length);
   }
 
-  /** Shows a pose of the server. Returns false for bytes that are not one of this character. */
-  show(view: DataView): boolean {
+  /** Shows a pose of the server, or one on the way to the next. Returns false for bytes that are not one of this character. */
+  show(view: DataView, next: DataView | null = null, part = 0): boolean {
     if (!this._hips || !this._pose.decode(view))
       return false;
 
+    if (next && part > 0 && this._next.decode(next))
+      this._pose.blend(this._next, part);
     const { rotations, hips } = this._pose;
     for (let i = 0; i < this._objects.length; i++)
       this._objects[i].quaternion.set(rotations[i * 4], rotations[i * 4 + 1], rotations[i * 4 + 2], rotations[i * 4 + 3]);

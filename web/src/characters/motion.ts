@@ -51,8 +51,13 @@ export class CharacterMotion {
       return false;
 
     const performer = this._page.performers.get(this._character.performer);
-    const view = source instanceof LiveMotion ? source.take() : performer?.hasPose ? source.take(performer.pose.time) : null;
-    return view !== null && this._character.show(view);
+    if (source instanceof LiveMotion) {
+      const newest = source.take();
+      return newest !== null && this._character.show(newest);
+    }
+
+    const view = performer?.hasPose ? source.take(performer.pose.time) : null;
+    return view !== null && this._character.show(view, source.next, source.part);
   }
 
   /** Forgets the character here and on the server. */

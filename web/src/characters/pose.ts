@@ -1,4 +1,5 @@
 import { decodeRotation } from "../live/pose";
+import { blendRotations } from "../takes/blend";
 
 const HeaderSize = 28;
 const Version = 1;
@@ -30,6 +31,14 @@ export class CharacterPose {
       decodeRotation(view, HeaderSize + bone * 6, this.rotations, bone * 4);
 
     return true;
+  }
+
+  /** Moves the pose towards another one: 0 changes nothing, 1 is the other pose. */
+  blend(next: CharacterPose, part: number): void {
+    this.time += (next.time - this.time) * part;
+    for (let axis = 0; axis < 3; axis++)
+      this.hips[axis] += (next.hips[axis] - this.hips[axis]) * part;
+    blendRotations(this.rotations, next.rotations, this.boneCount, part);
   }
 }
 

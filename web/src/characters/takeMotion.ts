@@ -22,6 +22,10 @@ interface Block {
 
 /** The poses of a character in a take: blocks around the time that is shown, read ahead. */
 export class TakeMotion {
+  /** The pose after the one that was taken, if it is here. */
+  next: DataView | null = null;
+  /** How far the time is on its way to the next pose, 0 to 1. */
+  part = 0;
   private readonly _blocks = new Map<number, Block>();
   private readonly _api: Api;
   private readonly _path: string;
@@ -41,7 +45,7 @@ export class TakeMotion {
     this._now = now;
   }
 
-  /** The pose at a time in milliseconds: that of the last frame at or before it. Null while it is not here, and if it was returned last. */
+  /** The pose at a time in milliseconds: that of the last frame at or before it. Null while it is not here, and if nothing has changed. */
   take(time: number): DataView | null {
     const last = this._times ? this._times.times[this._times.times.length - 1] : undefined;
     if (last === undefined || time >= last)
@@ -56,11 +60,19 @@ export class TakeMotion {
 
     const { poses } = block;
     const pose = poses.length > 0 ? poses[findLast(poses.length, i => timeOf(poses[i]), time)] : null;
-    if (pose === null || pose === this._shown)
-      return null;
+    return pose !== null && this._moves(pose, number, time) ? pose : null;
+  }
 
+  // Between two frames, the time is that of a performer whose poses are blended. At gaps, it is that of a frame.
+  private _moves(pose: DataView, number: number, time: number): boolean {
+    const { poses } = this._blocks.get(number)!;
+    this.next = poses[poses.indexOf(pose) + 1] ?? this._blocks.get(number + 1)?.poses[0] ?? null;
+    const before = this.part;
+    const from = timeOf(pose);
+    this.part = this.next && time > from ? Math.min(1, (time - from) / (timeOf(this.next) - from)) : 0;
+    const moves = pose !== this._shown || this.part !== before;
     this._shown = pose;
-    return pose;
+    return moves;
   }
 
   close(): void {

@@ -7,14 +7,16 @@ export class Playback {
   playing = false;
   speed = 1;
   loop = true;
-  /** The part that is played; null for the start or end of the take. */
+  /** The part that is played; null for the first frame or the end of the take. */
   from: number | null = null;
   to: number | null = null;
+  /** The time of the first frame. Recordings begin before it. */
+  first = 0;
   /** Called when anything but the time has changed. */
   onChange: (() => void) | null = null;
 
   get start(): number {
-    return this.from ?? 0;
+    return this.from ?? this.first;
   }
 
   get end(): number {

@@ -111,6 +111,7 @@ class TakeScreen implements Takes {
     this._removeKeys = null;
     this._playback.pause();
     this._playback.duration = 0;
+    this._playback.first = 0;
     this._view.setDuration(0);
     this._plot.close();
     this._section.clear();
@@ -180,7 +181,8 @@ class TakeScreen implements Takes {
   // Recordings begin before their first frame.
   private _begin(info: TakeInfo): void {
     this._hasBegun = true;
-    this._seek(Math.min(...info.performers.map(performer => performer.start)));
+    this._playback.first = Math.min(...info.performers.map(performer => performer.start));
+    this._seek(this._playback.first);
     if (info.performers.some(performer => performer.frames > 1) && !matchMedia("(prefers-reduced-motion: reduce)").matches)
       this._playback.toggle();
   }

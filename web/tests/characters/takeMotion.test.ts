@@ -50,10 +50,23 @@ async function open(server: Server): Promise<{ motion: TakeMotion; at(time: numb
 test("the pose of a time is that of the last frame at or before it", async () => {
   const { at, motion } = await open(new Server(1000));
   assert.equal(await at(1234), 1230);
-  assert.equal(motion.take(1239), null);
+  assert.equal(motion.take(1234), null);
   assert.equal(timeOf(motion.take(1240)!), 1240);
   assert.equal(await at(-50), 0);
   assert.equal(await at(1e9), 9990);
+});
+
+test("between two frames, a character is on its way to the next one", async () => {
+  const { at, motion } = await open(new Server(1000));
+  await at(1230);
+  assert.equal(motion.part, 0);
+  assert.equal(timeOf(motion.take(1232.5)!), 1230);
+  assert.equal(motion.part, 0.25);
+  assert.equal(timeOf(motion.next!), 1240);
+  motion.take(1279);
+  assert.equal(timeOf(motion.next!), 1280);
+  await at(9990);
+  assert.equal(motion.next, null);
 });
 
 test("the next block is read ahead, and a block only once", async () => {

@@ -174,6 +174,15 @@ test("playing loops between the in and out points and stops at the end without t
   assert.equal(playback.time, 1000);
 });
 
+test("a recording plays again from its first frame", () => {
+  const playback = new Playback();
+  [playback.duration, playback.first] = [1000, 300];
+  playback.toggle();
+  assert.equal(playback.time, 300);
+  playback.advance(750);
+  assert.equal(playback.time, 350);
+});
+
 test("speeds stay between 0.1 and 4", () => {
   const playback = new Playback();
   for (let i = 0; i < 10; i++)
