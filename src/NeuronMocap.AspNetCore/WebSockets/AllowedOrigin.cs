@@ -17,7 +17,7 @@ internal static class AllowedOrigin
     // The host of a page is not compared with that of the request: an attacker's name can lead to any address.
     public static bool Allows(IReadOnlyList<string> allowed, string origin) => IsOfThisComputer(origin) || allowed.Any(each => each is Any || IsSame(each, origin));
 
-    private static bool IsSame(string one, string other) => Normalize(one).Equals(Normalize(other), StringComparison.OrdinalIgnoreCase);
+    public static bool IsSame(string one, string other) => Normalize(one).Equals(Normalize(other), StringComparison.OrdinalIgnoreCase);
 
     // A port that the scheme implies may be written or left out. Browsers send other alphabets in their ASCII form.
     private static string Normalize(string origin) => TryParse(origin, out Uri? address) ? $"{address.Scheme}://{address.IdnHost}:{address.Port}" : origin;

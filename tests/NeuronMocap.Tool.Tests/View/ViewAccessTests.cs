@@ -110,8 +110,10 @@ public sealed class ViewAccessTests
     [InlineData("Origin", "https://evil.example", 403)]
     [InlineData("Origin", "null", 403)]
     [InlineData("Sec-Fetch-Site", "cross-site", 403)]
+    [InlineData("Sec-Fetch-Site", "same-site", 403)]
     [InlineData("Sec-Fetch-Site", "same-origin", 200)]
-    [InlineData("Origin", "http://localhost:3000", 200)]
+    [InlineData("Sec-Fetch-Site", "none", 200)]
+    [InlineData("Origin", "http://localhost:3000", 403)]
     public async Task Pages_of_other_sites_are_refused(string header, string value, int expected)
     {
         await using RunningView view = await RunningView.StartAsync("demo");

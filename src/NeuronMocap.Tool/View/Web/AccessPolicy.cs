@@ -48,10 +48,10 @@ internal sealed class AccessPolicy(string? token, bool isPublic, IReadOnlyList<s
     {
         string origin = request.Headers.Origin.ToString();
         if (origin.Length > 0)
-            return IsSame(origin, request) || AllowedOrigin.Allows(origins, origin);
+            return IsSame(origin, request) || origins.Any(allowed => AllowedOrigin.IsSame(allowed, origin));
 
-        // Browsers leave the origin out of plain requests, but say where they come from.
-        return !request.Headers["Sec-Fetch-Site"].ToString().Equals("cross-site", StringComparison.OrdinalIgnoreCase);
+        // Browsers leave the origin out of plain requests, but say where they come from. Another port of this computer is the same site.
+        return request.Headers["Sec-Fetch-Site"].ToString() is "" or "same-origin" or "none";
     }
 
     private static bool IsSame(string origin, HttpRequest request) => origin.Equals($"{request.Scheme}://{request.Host}", StringComparison.OrdinalIgnoreCase);
