@@ -1,4 +1,5 @@
 using Microsoft.Win32.SafeHandles;
+using NeuronMocap.Tool.View.Web;
 
 namespace NeuronMocap.Tool.View.Takes;
 
@@ -23,7 +24,7 @@ internal sealed class RecordFile : IDisposable
         RecordSize = recordSize;
         _buffer = new byte[Math.Max(recordSize, BufferSize / recordSize * recordSize)];
         _file = File.OpenHandle(
-            Path.Combine(folder, Path.GetRandomFileName()), FileMode.CreateNew, FileAccess.ReadWrite, FileShare.Read | FileShare.Delete, FileOptions.DeleteOnClose);
+            Path.Combine(folder, ScratchFolder.NewName()), FileMode.CreateNew, FileAccess.ReadWrite, FileShare.Read | FileShare.Delete, FileOptions.DeleteOnClose);
     }
 
     public int RecordSize { get; }

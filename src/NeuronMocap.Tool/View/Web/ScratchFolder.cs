@@ -9,12 +9,15 @@ internal sealed class ScratchFolder(long mostBytes) : IDisposable
 {
     private const int BufferSize = 128 * 1024;
 
-    private readonly DirectoryInfo _folder = Directory.CreateTempSubdirectory("neuron-mocap-view-");
+    private readonly ScratchLease _lease = ScratchLease.Take();
     private readonly Dictionary<string, long> _sizes = new(StringComparer.Ordinal);
     private readonly Lock _lock = new();
 
     /// <summary>The folder.</summary>
-    public string Path => _folder.FullName;
+    public string Path => _lease.Path;
+
+    /// <summary>Makes a name for a file in the folder. Only files with such names are deleted when a program that was killed has left them.</summary>
+    public static string NewName() => Guid.NewGuid().ToString("N");
 
     /// <summary>Saves the body of a request as a new file.</summary>
     /// <param name="body">The body. Kestrel limits its size: see <see cref="BodyLimit"/>.</param>
@@ -23,7 +26,7 @@ internal sealed class ScratchFolder(long mostBytes) : IDisposable
     /// <exception cref="ApiException">There is no room.</exception>
     public async Task<string> SaveAsync(Stream body, CancellationToken cancellationToken)
     {
-        string path = System.IO.Path.Combine(Path, Guid.NewGuid().ToString("N"));
+        string path = System.IO.Path.Combine(Path, NewName());
         try
         {
             var file = new FileStream(path, FileMode.CreateNew, FileAccess.Write, FileShare.Read, bufferSize: 1, useAsync: true);
@@ -58,17 +61,7 @@ internal sealed class ScratchFolder(long mostBytes) : IDisposable
         }
     }
 
-    public void Dispose()
-    {
-        try
-        {
-            _folder.Delete(recursive: true);
-        }
-        catch (Exception exception) when (exception is IOException or UnauthorizedAccessException)
-        {
-            // Somebody else has deleted it, or still reads in it. It is a folder for temporary files, which the system empties.
-        }
-    }
+    public void Dispose() => _lease.Dispose();
 
     private async Task CopyAsync(Stream body, FileStream file, string path, CancellationToken cancellationToken)
     {

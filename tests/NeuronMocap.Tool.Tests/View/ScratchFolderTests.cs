@@ -1,0 +1,59 @@
+using NeuronMocap.Tool.View.Web;
+
+namespace NeuronMocap.Tool.Tests.View;
+
+public sealed class ScratchFolderTests
+{
+    [Fact]
+    public void A_folder_of_a_program_that_was_killed_goes_with_the_next_start()
+    {
+        // The lock of a killed program is free, and its files are still there.
+        DirectoryInfo killed = Directory.CreateTempSubdirectory("neuron-mocap-view-");
+        File.WriteAllText(Path.Combine(killed.FullName, "used"), string.Empty);
+        DirectoryInfo files = killed.CreateSubdirectory("files");
+        File.WriteAllText(Path.Combine(files.FullName, ScratchFolder.NewName()), "a take");
+        File.WriteAllText(Path.Combine(files.FullName, ScratchFolder.NewName() + ".glb"), "a download");
+
+        using var first = new ScratchFolder(1000);
+        Assert.False(killed.Exists && Directory.Exists(killed.FullName));
+
+        string path = Path.Combine(first.Path, ScratchFolder.NewName());
+        File.WriteAllText(path, "in use");
+        using var second = new ScratchFolder(1000);
+        Assert.True(File.Exists(path));
+    }
+
+    [Fact]
+    public void A_folder_with_files_of_others_stays()
+    {
+        DirectoryInfo other = Directory.CreateTempSubdirectory("neuron-mocap-view-");
+        try
+        {
+            File.WriteAllText(Path.Combine(other.FullName, "used"), string.Empty);
+            string file = Path.Combine(other.CreateSubdirectory("files").FullName, "notes.txt");
+            File.WriteAllText(file, "not of this program");
+
+            using var scratch = new ScratchFolder(1000);
+
+            Assert.True(File.Exists(file));
+        }
+        finally
+        {
+            other.Delete(recursive: true);
+        }
+    }
+
+    [Fact]
+    public void Its_end_deletes_everything()
+    {
+        string path;
+        using (var scratch = new ScratchFolder(1000))
+        {
+            path = scratch.Path;
+            File.WriteAllText(Path.Combine(path, ScratchFolder.NewName()), "a take");
+        }
+
+        Assert.False(Directory.Exists(path));
+        Assert.False(Directory.Exists(Path.GetDirectoryName(path)));
+    }
+}
