@@ -181,6 +181,6 @@ internal sealed class ConvertTool(FileSettings settings, StandardStreams streams
         string? version = typeof(ConvertTool).Assembly.GetCustomAttribute<AssemblyInformationalVersionAttribute>()?.InformationalVersion;
         return RecordingMetadata.Empty
             .With(RecordingMetadata.ProgramKey, $"neuron-mocap {version}")
-            .With(RecordingMetadata.ServerKey, $"the file {settings.InputName ?? Path.GetFileName(settings.Input)}");
+            .With(RecordingMetadata.ServerKey, $"the file {settings.SourceName}");
     }
 }

@@ -45,7 +45,7 @@ internal static class StreamTable
         UpAxis = settings.UpAxis ?? default,
         Unit = settings.Unit ?? default,
         Variant = survey.Format.Variant,
-        Source = Path.GetFileName(settings.Input),
+        Source = settings.SourceName,
         RotationOrder = survey.Format.RotationOrder,
         FrameRate = survey.Rate,
         StartTime = survey.StartTime + range.Start,

@@ -17,7 +17,7 @@ internal static class TakeTable
             UpAxis = settings.UpAxis ?? default,
             Unit = settings.Unit ?? default,
             Variant = motion.Variant,
-            Source = Path.GetFileName(settings.Input),
+            Source = settings.SourceName,
             RotationOrder = take.Calculation is null ? take.Order : null,
             FrameRate = motion.FrameRate,
             AvatarNames = new Dictionary<int, string> { [avatar] = take.AvatarName },

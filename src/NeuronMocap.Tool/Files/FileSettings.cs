@@ -13,6 +13,9 @@ internal sealed record FileSettings(string Input, string? Output)
     /// <summary>Name of the input for people, if it differs from that of the file; otherwise null.</summary>
     public string? InputName { get; init; }
 
+    /// <summary>What a file that is written calls its source.</summary>
+    public string SourceName => InputName ?? Path.GetFileName(Input);
+
     /// <summary>Whether an existing output may be replaced.</summary>
     public bool Overwrite { get; init; }
 

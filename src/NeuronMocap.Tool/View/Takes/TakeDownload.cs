@@ -14,7 +14,6 @@ internal sealed class TakeDownload(ScratchFolder scratch) : IDisposable
     private static readonly string[] Formats = ["bvh", "nmrec", "glb", "csv", "calc"];
 
     private readonly SemaphoreSlim _turn = new(1);
-    private int _number;
 
     public async Task SendAsync(HttpContext context, Take take)
     {
@@ -23,7 +22,8 @@ internal sealed class TakeDownload(ScratchFolder scratch) : IDisposable
         if (!Formats.Contains(format) || FileKinds.OfName("take" + extension) is not { } kind)
             throw ApiException.BadRequest($"format must be one of these: {string.Join(", ", Formats)}.");
 
-        TakePerformer? performer = take.Find(context.Request.Query["performer"]) ?? throw ApiException.NotFound("The take has no such performer.");
+        string wanted = context.Request.Query["performer"].ToString();
+        TakePerformer performer = take.Find(wanted) ?? throw ApiException.NotFound("The take has no such performer.");
         long from = TakeRequest.GetTime(context, "from", usual: -1);
         long to = TakeRequest.GetTime(context, "to", usual: -1);
         bool isWhole = from < 0 && to < 0;
@@ -34,16 +34,16 @@ internal sealed class TakeDownload(ScratchFolder scratch) : IDisposable
             return;
         }
 
-        var settings = new FileSettings(take.Path, Path.Combine(scratch.Path, $"download{Interlocked.Increment(ref _number)}{extension}"))
+        var settings = new FileSettings(take.Path, Path.Combine(scratch.Path, ScratchFolder.NewName() + extension))
         {
             InputName = take.Name,
-            Avatar = take.Kind is FileKind.Recording or FileKind.Raw && kind is not (FileKind.Recording or FileKind.Raw) ? performer.AvatarIndex : null,
+            Avatar = take.Kind is FileKind.Recording or FileKind.Raw && HasOneAvatar(kind, wanted) ? performer.AvatarIndex : null,
             From = from < 0 ? null : from / 1e6,
             To = to < 0 ? null : to / 1e6,
         };
         try
         {
-            await ConvertAsync(settings, take, context.RequestAborted);
+            await ConvertAsync(settings, take, name, context.RequestAborted);
             await SendFileAsync(context, settings.Output!, name);
         }
         finally
@@ -54,7 +54,15 @@ internal sealed class TakeDownload(ScratchFolder scratch) : IDisposable
 
     public void Dispose() => _turn.Dispose();
 
-    private async Task ConvertAsync(FileSettings settings, Take take, CancellationToken cancellationToken)
+    // Figures and tables hold all performers, unless one is chosen.
+    private static bool HasOneAvatar(FileKind kind, string wanted) => kind switch
+    {
+        FileKind.Recording or FileKind.Raw => false,
+        FileKind.Glb or FileKind.Csv => wanted.Length > 0,
+        _ => true,
+    };
+
+    private async Task ConvertAsync(FileSettings settings, Take take, string name, CancellationToken cancellationToken)
     {
         await _turn.WaitAsync(cancellationToken);
         try
@@ -64,7 +72,7 @@ internal sealed class TakeDownload(ScratchFolder scratch) : IDisposable
             int code = await new ConvertTool(settings, new StandardStreams(Stream.Null, messages, IsTerminal: false)).RunAsync(stop.Token);
             stop.Token.ThrowIfCancellationRequested();
             if (code != ToolCommand.Done)
-                throw ApiException.Conflict(Describe(messages.ToString(), settings, take));
+                throw ApiException.Conflict(Describe(messages.ToString(), settings, take, name));
         }
         catch (OperationCanceledException) when (!cancellationToken.IsCancellationRequested)
         {
@@ -76,10 +84,10 @@ internal sealed class TakeDownload(ScratchFolder scratch) : IDisposable
         }
     }
 
-    private static string Describe(string messages, FileSettings settings, Take take) => messages.Trim()
+    private static string Describe(string messages, FileSettings settings, Take take, string name) => messages.Trim()
         .Replace($"{ToolCommand.Name}: ", "", StringComparison.Ordinal)
         .Replace(settings.Input, take.Name, StringComparison.Ordinal)
-        .Replace(settings.Output!, Path.GetFileName(settings.Output!), StringComparison.Ordinal);
+        .Replace(settings.Output!, name, StringComparison.Ordinal);
 
     private static Task SendFileAsync(HttpContext context, string path, string name)
     {

@@ -3,6 +3,7 @@ using System.Text.Json;
 using NeuronMocap.Bvh;
 using NeuronMocap.Recording;
 using NeuronMocap.Skeleton;
+using NeuronMocap.Tests.Gltf;
 
 namespace NeuronMocap.Tool.Tests.View.Takes;
 
@@ -157,6 +158,27 @@ public sealed class TakeServiceTests
     }
 
     [Fact]
+    public async Task Figures_and_tables_hold_all_performers_unless_one_is_chosen()
+    {
+        using var takes = new OpenTakes();
+        string recording = takes.Record(Enumerable.Range(0, 60).SelectMany(static frame => (IEnumerable<(double, int, int)>)[(frame * 1000 / 60.0, 0, frame), (frame * 1000 / 60.0, 1, frame)]));
+        await using TakeClient client = await TakeClient.StartAsync();
+        await client.UploadAsync(recording);
+
+        using HttpResponseMessage figures = await client.GetFileAsync("takes/t1/download?format=glb");
+        using HttpResponseMessage figure = await client.GetFileAsync("takes/t1/download?format=glb&performer=t1-1");
+        using HttpResponseMessage table = await client.GetFileAsync("takes/t1/download?format=csv");
+        using HttpResponseMessage second = await client.GetFileAsync("takes/t1/download?format=csv&performer=t1-1");
+
+        Assert.Equal(["Actor 0", "Actor 1"], GlbFile.Parse(await figures.Content.ReadAsByteArrayAsync()).Names("animations"));
+        Assert.Equal(["Actor 1"], GlbFile.Parse(await figure.Content.ReadAsByteArrayAsync()).Names("animations"));
+        string text = await table.Content.ReadAsStringAsync();
+        Assert.Contains("# source: take.nmrec\n", text, StringComparison.Ordinal);
+        Assert.Equal(120, CountRows(text));
+        Assert.Equal(60, CountRows(await second.Content.ReadAsStringAsync()));
+    }
+
+    [Fact]
     public async Task A_new_take_closes_the_oldest_and_deletes_its_file()
     {
         await using TakeClient client = await TakeClient.StartAsync();
@@ -168,4 +190,6 @@ public sealed class TakeServiceTests
         await client.GetAsync("takes/t1", HttpStatusCode.NotFound);
         await client.GetAsync("takes/t2");
     }
+
+    private static int CountRows(string table) => table.Split('\n').Count(static line => line.Length > 0 && char.IsAsciiDigit(line[0]));
 }
