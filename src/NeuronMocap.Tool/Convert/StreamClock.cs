@@ -6,8 +6,8 @@ namespace NeuronMocap.Tool.Convert;
 /// Gives frames of a stream the even times at which the server made them. Arrival times jitter, and frames of a burst arrive together.
 /// </summary>
 /// <remarks>
-/// A frame's number and the rate give its time. A run of numbers begins at the arrival of its first frame: with a connection, or when the server
-/// restarts its count. Frames without number or rate have their time of arrival.
+/// A frame's number and the rate give its time. A run of numbers begins at the arrival of its first frame: with a connection, when the server
+/// restarts its count, or after a pause. Frames without number or rate have their time of arrival.
 /// </remarks>
 internal sealed class StreamClock(IReadOnlyDictionary<int, StreamAvatar> avatars)
 {
@@ -27,7 +27,7 @@ internal sealed class StreamClock(IReadOnlyDictionary<int, StreamAvatar> avatars
             _runs.Add(frame.AvatarIndex, run = new Run());
 
         double perSecond = rate * avatar.Step;
-        if (!run.Continues(index, connection))
+        if (!run.Continues(index, connection, arrival))
         {
             // Avatars share the start of a run, so that their times are equal. Times do not go back when another run begins.
             TimeSpan earliest = run.Last is { } last ? last + FrameTimes.Of(1, rate) : TimeSpan.MinValue;
@@ -53,15 +53,16 @@ internal sealed class StreamClock(IReadOnlyDictionary<int, StreamAvatar> avatars
     {
         private readonly IndexTracker _indices = new();
         private int? _connection;
+        private TimeSpan _arrival;
 
         public Start Start { get; set; }
 
         public TimeSpan? Last { get; set; }
 
-        public bool Continues(uint index, int connection)
+        public bool Continues(uint index, int connection, TimeSpan arrival)
         {
-            bool isSame = connection == _connection;
-            _connection = connection;
+            bool isSame = connection == _connection && arrival - _arrival <= TakeClock.LongestStall;
+            (_connection, _arrival) = (connection, arrival);
             if (!isSame)
                 _indices.StartAt(index);
 

@@ -8,8 +8,11 @@ namespace NeuronMocap.Tool.Convert;
 /// </summary>
 internal sealed class TakeClock
 {
-    // A server that paused continues its numbers. A network that stalls for so long loses the connection.
-    private static readonly TimeSpan LongestStall = TimeSpan.FromSeconds(10);
+    /// <summary>
+    /// The longest time between two frames that counts as a stall. A server that paused continues its numbers. A network that stalls for so long
+    /// loses the connection.
+    /// </summary>
+    public static readonly TimeSpan LongestStall = TimeSpan.FromSeconds(10);
 
     private readonly double _rate;
     private readonly List<(long Frame, TimeSpan Time)> _runs = [];

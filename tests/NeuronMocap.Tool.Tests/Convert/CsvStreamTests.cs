@@ -82,6 +82,21 @@ public sealed class CsvStreamTests : IDisposable
     }
 
     [Fact]
+    public async Task A_long_pause_of_the_server_stays_though_its_numbers_go_on()
+    {
+        Record(static (recorder, frame) =>
+        {
+            for (int avatar = 0; avatar < 2; avatar++)
+                recorder.Send((frame / 60.0) + (frame < 120 ? 0 : 30), 0, avatar, frame);
+        }, 240);
+        await ConvertAsync(_folder["take.nmrec"], _folder["t.csv"]);
+        var table = new CsvTable(_folder["t.csv"]);
+        Assert.Equal(480, table.RowCount);
+        for (int row = 0; row < table.RowCount; row++)
+            Assert.Equal(table.Number(row, "arrival"), table.Number(row, "time"), 1e-6);
+    }
+
+    [Fact]
     public async Task A_server_that_does_not_count_gives_times_of_arrival()
     {
         Record(static (recorder, frame) => recorder.Send(frame / 60.0, 0, 0, 0), 30);

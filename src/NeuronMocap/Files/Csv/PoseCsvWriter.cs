@@ -11,7 +11,7 @@ namespace NeuronMocap.Csv;
 /// <remarks>
 /// <para>
 /// The file is UTF-8 text. Lines that begin with <c>#</c> state units, axes and the source. The next line has the names of the columns:
-/// <c>time</c>, <c>avatar</c>, <c>frame</c>, then seven for each bone, from <c>Hips_x</c> to <c>Hips_qw</c>.
+/// <c>time</c>, <c>avatar</c>, <c>frame</c>, <c>arrival</c>, then seven for each bone, from <c>Hips_x</c> to <c>Hips_qw</c>.
 /// </para>
 /// <para>
 /// Numbers have a decimal point and as few digits as identify their binary32 value. A quaternion and its negative describe the same rotation. The
