@@ -63,7 +63,7 @@ internal sealed class ViewRun(ViewOptions options, StandardStreams streams)
         ServerAddress? commands = demo?.Commands ?? CommandsOf(options.Connection);
         LiveSession? live = null;
         RecordingControl? recording = null;
-        await using var hub = new ControlHub(() => [Hello("live", take: null, commands is not null, live!.Introduce()), .. live.Greet(), recording!.Describe()]);
+        await using var hub = new ControlHub(() => [Hello("live", take: null, commands is not null, live!.Introduce()), .. live.Greet(), .. recording!.Greet()]);
         await using TakeService takes = CreateTakes(scratch, hub);
         await using (live = new LiveSession(reader, options.Source.ToString(), hub))
         await using (var characters = new CharacterLibrary(live, takes))

@@ -34,6 +34,11 @@ public sealed class ViewActionTests : IDisposable
             (status, answer) = await view.PostAsync("/api/record", """{"action":"stop"}""");
             Assert.Equal((200, "idle"), (status, answer.GetProperty("state").GetString()));
             await other.FindAsync("recording", static message => message.GetProperty("state").ValueEquals("idle"));
+
+            // A page that is loaded again still lists it.
+            using ViewSocket late = await view.ConnectAsync("/control");
+            JsonElement finished = await late.FindAsync("recording");
+            Assert.Equal((_folder.Names.Single(), "t1"), (finished.GetProperty("file").GetString(), finished.GetProperty("take").GetString()));
             (status, answer) = await view.PostAsync("/api/record", """{"action":"stop"}""");
             Assert.Equal((409, "No recording is running."), (status, answer.GetProperty("error").GetString()));
             Assert.Equal(0, await view.StopAsync());

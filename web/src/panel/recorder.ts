@@ -40,6 +40,7 @@ export class Recorder {
   }
 
   show(recording: Recording): void {
+    const wasRecording = this._isRecording;
     this._isRecording = recording.state === "recording";
     const file = fileName(recording.file);
     this.button.classList.toggle("on", this._isRecording);
@@ -51,6 +52,8 @@ export class Recorder {
     setText(this._line, `Recording ${file}, ${bytes(recording.bytes)}`);
     if (!this._isRecording && file !== "" && !this._known.has(file))
       this._add(file, recording);
+    if (wasRecording && !this._isRecording && file !== "")
+      this._page.notices.say(`Saved ${file}.`);
   }
 
   private _add(file: string, recording: Recording): void {
@@ -58,7 +61,6 @@ export class Recorder {
     const figures = element("small", {}, `${duration(recording.seconds)} · ${bytes(recording.bytes)}`);
     const line = element("li", {}, element("span", { class: "name" }, file, figures));
     this._finished.prepend(line);
-    this._page.notices.say(`Saved ${file}.`);
     const take = recording.take;
     if (!take)
       return;

@@ -19,6 +19,7 @@ internal sealed class RecordingControl : IViewPart
     private readonly TakeRecorder _takes;
     private readonly ControlHub _hub;
     private readonly ITakeLibrary? _library;
+    private readonly List<RecordingMessage> _finished = [];
 
     /// <summary>Creates the control, without a recording.</summary>
     /// <param name="reader">The reader to record.</param>
@@ -38,6 +39,13 @@ internal sealed class RecordingControl : IViewPart
     {
         lock (_lock)
             return _takes.Current is { } take ? RecordingMessage.Of(take) : RecordingMessage.None;
+    }
+
+    /// <summary>Makes the messages for a new page: the finished recordings, then the running one.</summary>
+    public IReadOnlyList<object> Greet()
+    {
+        lock (_lock)
+            return [.. _finished, Describe()];
     }
 
     /// <summary>Tells the pages how the recording grows. Called once a second.</summary>
@@ -66,7 +74,7 @@ internal sealed class RecordingControl : IViewPart
         RecordingMessage message = (await ApiJson.ReadAsync<RequestJson>(context)).Action switch
         {
             "start" => Start(),
-            "stop" => await StopAsync(context.RequestAborted),
+            "stop" => await StopAsync(),
             _ => throw ApiException.BadRequest("The action of a recording is start or stop."),
         };
         await ApiJson.WriteAsync(context, message);
@@ -89,7 +97,8 @@ internal sealed class RecordingControl : IViewPart
         return message;
     }
 
-    private async Task<RecordingMessage> StopAsync(CancellationToken cancellationToken)
+    // A page that leaves meanwhile cancels nothing: the others wait for the end.
+    private async Task<RecordingMessage> StopAsync()
     {
         Watch.Recordings.Take take;
         Task closed;
@@ -99,8 +108,11 @@ internal sealed class RecordingControl : IViewPart
             closed = take.StopAsync(_takes.FramesArrived);
         }
 
-        await closed.WaitAsync(cancellationToken);
-        RecordingMessage message = RecordingMessage.Of(take) with { State = RecordingMessage.Idle, Take = await OpenAsync(take.Recorder, cancellationToken) };
+        await closed;
+        RecordingMessage message = RecordingMessage.Of(take) with { State = RecordingMessage.Idle, Take = await OpenAsync(take.Recorder) };
+        lock (_lock)
+            _finished.Add(message);
+
         _hub.Send(message);
         if (message.Take is { } id)
             _hub.Send(new TakeMessage(id));
@@ -108,14 +120,14 @@ internal sealed class RecordingControl : IViewPart
         return message;
     }
 
-    private async Task<string?> OpenAsync(StreamRecorder recorder, CancellationToken cancellationToken)
+    private async Task<string?> OpenAsync(StreamRecorder recorder)
     {
         if (_library is null)
             return null;
 
         try
         {
-            return await _library.OpenAsync(recorder.CurrentPath, cancellationToken);
+            return await _library.OpenAsync(recorder.CurrentPath, CancellationToken.None);
         }
         catch (ApiException exception)
         {

@@ -1,0 +1,97 @@
+using System.Text;
+using Microsoft.AspNetCore.Builder;
+using Microsoft.AspNetCore.Hosting;
+using Microsoft.AspNetCore.Http;
+using Microsoft.AspNetCore.Routing;
+using Microsoft.Extensions.DependencyInjection;
+using NeuronMocap.Server;
+using NeuronMocap.Tool.Tests.Files;
+using NeuronMocap.Tool.View.Actions;
+using NeuronMocap.Tool.View.Control;
+using NeuronMocap.Tool.View.Takes;
+
+namespace NeuronMocap.Tool.Tests.View;
+
+public sealed class RecordingControlTests : IDisposable
+{
+    private readonly TemporaryFolder _folder = new();
+
+    public void Dispose() => _folder.Dispose();
+
+    [Fact]
+    public async Task A_page_that_leaves_while_the_recording_ends_cancels_nothing()
+    {
+        await using Broadcaster broadcaster = Broadcaster.StartDemo();
+        await using var reader = new NeuronReader(new NeuronReaderOptions { Host = "127.0.0.1", Port = broadcaster.LocalEndPoint!.Port });
+        await using var hub = new ControlHub(static () => []);
+        var library = new Library();
+        await using var control = new RecordingControl(reader, _folder[string.Empty], hub, library);
+        reader.Start();
+        RequestDelegate handle = HandlerOf(control);
+        await handle(RequestFor("start", CancellationToken.None));
+        using var leaves = new CancellationTokenSource();
+        DefaultHttpContext request = RequestFor("stop", leaves.Token);
+        request.Request.Body = new LastRead(request.Request.Body, leaves);
+
+        try
+        {
+            await handle(request);
+        }
+        catch (OperationCanceledException)
+        {
+            // There is nobody to answer.
+        }
+
+        Assert.Equal(_folder[Assert.Single(_folder.Names)], library.Opened);
+        Assert.Equal(RecordingMessage.Idle, control.Describe().State);
+    }
+
+    private static RequestDelegate HandlerOf(RecordingControl control)
+    {
+        WebApplicationBuilder builder = WebApplication.CreateEmptyBuilder(new WebApplicationOptions());
+        builder.WebHost.UseKestrelCore();
+        builder.Services.AddRoutingCore();
+        IEndpointRouteBuilder endpoints = builder.Build();
+        control.Map(endpoints);
+        return endpoints.DataSources.SelectMany(static source => source.Endpoints).Single().RequestDelegate!;
+    }
+
+    private static DefaultHttpContext RequestFor(string action, CancellationToken aborted) => new()
+    {
+        RequestAborted = aborted,
+        Request = { Body = new MemoryStream(Encoding.UTF8.GetBytes($$"""{"action":"{{action}}"}""")) },
+    };
+
+    private sealed class Library : ITakeLibrary
+    {
+        public string? Opened { get; private set; }
+
+        public Task<string> OpenAsync(string path, CancellationToken cancellationToken)
+        {
+            cancellationToken.ThrowIfCancellationRequested();
+            Opened = path;
+            return Task.FromResult("t1");
+        }
+
+        public TakePerformer? FindPerformer(string key) => null;
+
+        public void Map(IEndpointRouteBuilder endpoints)
+        {
+        }
+
+        public ValueTask DisposeAsync() => ValueTask.CompletedTask;
+    }
+
+    // Cancels at its end.
+    private sealed class LastRead(Stream body, CancellationTokenSource end) : MemoryStream
+    {
+        public override async ValueTask<int> ReadAsync(Memory<byte> buffer, CancellationToken cancellationToken = default)
+        {
+            int count = await body.ReadAsync(buffer, CancellationToken.None);
+            if (count == 0)
+                await end.CancelAsync();
+
+            return count;
+        }
+    }
+}
