@@ -1,6 +1,5 @@
 import { ApiError } from "../page/api";
 import type { Page, Takes } from "../page/page";
-import { bytes } from "../panel/format";
 import type { TakeContacts, TakeInfo } from "./info";
 import { Playback } from "./playback";
 import { PlotSection } from "./plotSection";
@@ -13,6 +12,8 @@ import { Transport } from "./transport";
 const Endings = [".bvh", ".nmrec", ".calc", ".bin", ".dat"];
 const AskAgain = 500;
 const ReadoutEvery = 66;
+// That of --upload-limit, in bytes.
+const Megabyte = 1024 * 1024;
 
 /** Recordings on the page: dropped files, the time line, and plots under it. */
 export function createTakes(page: Page): Takes {
@@ -122,7 +123,7 @@ class TakeScreen implements Takes {
     const { api, notices, connection } = this._page;
     const most = connection.hello?.uploadLimit ?? Infinity;
     if (file.size > most) {
-      notices.problem(`${file.name} has ${bytes(file.size)}, and the program takes ${bytes(most)}. Start it with a larger --upload-limit.`);
+      notices.problem(`${file.name} is larger than ${most / Megabyte} MB. Start the program with a larger --upload-limit, or with the file itself.`);
       return;
     }
 
