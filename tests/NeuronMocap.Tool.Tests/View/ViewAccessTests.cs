@@ -107,6 +107,20 @@ public sealed class ViewAccessTests
     }
 
     [Theory]
+    [InlineData("localhost", true)]
+    [InlineData("127.0.0.1", true)]
+    [InlineData("[::1]", true)]
+    [InlineData("192.0.2.7", false)]
+    public async Task The_opener_policy_is_only_for_pages_where_browsers_accept_it(string host, bool expected)
+    {
+        await using RunningView view = await RunningView.StartAsync("demo", "--bind", "0.0.0.0");
+        using var request = new HttpRequestMessage(HttpMethod.Get, "/");
+        request.Headers.Host = host;
+        using HttpResponseMessage answer = await view.Client.SendAsync(request, TestContext.Current.CancellationToken).Soon();
+        Assert.Equal(expected, answer.Headers.Contains("Cross-Origin-Opener-Policy"));
+    }
+
+    [Theory]
     [InlineData("Origin", "https://evil.example", 403)]
     [InlineData("Origin", "null", 403)]
     [InlineData("Sec-Fetch-Site", "cross-site", 403)]

@@ -34,14 +34,18 @@ internal sealed class AccessPolicy(string? token, bool isPublic, IReadOnlyList<s
         return null;
     }
 
+    /// <summary>Whether a host is localhost or a loopback address.</summary>
+    public static bool IsOfThisComputer(HostString host)
+    {
+        string name = NameOf(host);
+        return IPAddress.TryParse(name, out IPAddress? address) ? IPAddress.IsLoopback(address) : name.Equals(Localhost, StringComparison.OrdinalIgnoreCase);
+    }
+
     // An address in digits is never the result of DNS rebinding.
     private bool IsHostAllowed(HostString host)
     {
-        string name = host.Host.Trim('[', ']').TrimEnd('.');
-        if (IPAddress.TryParse(name, out IPAddress? address))
-            return isPublic || IPAddress.IsLoopback(address) || _names.Contains(name);
-
-        return name.Equals(Localhost, StringComparison.OrdinalIgnoreCase) || _names.Contains(name);
+        string name = NameOf(host);
+        return IsOfThisComputer(host) || _names.Contains(name) || (isPublic && IPAddress.TryParse(name, out _));
     }
 
     private bool IsOriginAllowed(HttpRequest request)
@@ -55,6 +59,8 @@ internal sealed class AccessPolicy(string? token, bool isPublic, IReadOnlyList<s
     }
 
     private static bool IsSame(string origin, HttpRequest request) => origin.Equals($"{request.Scheme}://{request.Host}", StringComparison.OrdinalIgnoreCase);
+
+    private static string NameOf(HostString host) => host.Host.Trim('[', ']').TrimEnd('.');
 
     private static string HostOf(string origin) => new Uri(origin).IdnHost;
 

@@ -23,7 +23,7 @@ internal static class RequestGuard
 
     private static async Task HandleAsync(HttpContext context, RequestDelegate next, AccessPolicy policy)
     {
-        AddHeaders(context.Response.Headers);
+        AddHeaders(context.Response.Headers, AccessPolicy.IsOfThisComputer(context.Request.Host));
         if (policy.FindRefusal(context.Request) is var (status, reason))
         {
             if (status == StatusCodes.Status401Unauthorized)
@@ -53,14 +53,17 @@ internal static class RequestGuard
         }
     }
 
-    private static void AddHeaders(IHeaderDictionary headers)
+    private static void AddHeaders(IHeaderDictionary headers, bool isTrustworthy)
     {
         headers[HeaderNames.ContentSecurityPolicy] = ContentPolicy;
         headers[HeaderNames.XContentTypeOptions] = "nosniff";
         headers["Referrer-Policy"] = "no-referrer";
-        headers["Cross-Origin-Opener-Policy"] = "same-origin";
         headers["Cross-Origin-Resource-Policy"] = "same-origin";
         headers[HeaderNames.CacheControl] = "no-store";
+
+        // On pages of other computers without TLS, browsers ignore it and report an error.
+        if (isTrustworthy)
+            headers["Cross-Origin-Opener-Policy"] = "same-origin";
     }
 
     // The routing answers these itself, without words.
