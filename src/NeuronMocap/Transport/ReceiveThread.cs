@@ -4,9 +4,9 @@ namespace NeuronMocap;
 public enum ReceiveThread
 {
     /// <summary>
-    /// Over TCP, each of the first 16 connections of the process has its own thread, and further connections use pool threads. UDP uses pool threads, and
-    /// so does a <see cref="ByteSource"/>, because some streams have no blocking reads. A broadcaster of this process gives each reader its own thread. On
-    /// .NET Standard, for example in Unity, every TCP connection and every stream has its own thread.
+    /// Each of the first 16 TCP connections and UDP ports of the process has its own thread, and further ones use pool threads. A
+    /// <see cref="ByteSource"/> uses pool threads, because some streams have no blocking reads. A broadcaster of this process gives each reader its own
+    /// thread. On .NET Standard, for example in Unity, every TCP connection and every stream has its own thread, and UDP uses pool threads.
     /// </summary>
     Auto,
 

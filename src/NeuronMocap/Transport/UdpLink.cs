@@ -5,8 +5,10 @@ using NeuronMocap.Protocol;
 namespace NeuronMocap.Transport;
 
 // A UDP port to which any computer can send (protocol.md section 4.2).
-internal sealed class UdpLink(LinkOptions options, SenderFilter filter, UdpServers? servers = null, object? receiveLock = null) : Link
+internal sealed class UdpLink(
+    LinkOptions options, SenderFilter filter, UdpServers? servers = null, object? receiveLock = null, ReceiveThreads? threads = null) : Link
 {
+    private readonly ReceiveThreads _threads = threads ?? ReceiveThreads.Shared;
     private readonly object _lock = new();
     private readonly ReceiveGate _gate = new();
     private Socket? _socket;
@@ -14,7 +16,8 @@ internal sealed class UdpLink(LinkOptions options, SenderFilter filter, UdpServe
 
     public override bool IsDatagrams => true;
 
-    public override ReceiveThread ReceiveThread { get; } = UdpReceiver.ThreadFor(options.ReceiveThread);
+    public override ReceiveThread ReceiveThread { get; } =
+        UdpReceiver.HasThreads && (threads ?? ReceiveThreads.Shared).TryTake(options.ReceiveThread) ? ReceiveThread.Dedicated : ReceiveThread.Pool;
 
     public override string Target => $"UDP port {(LocalEndPoint as IPEndPoint)?.Port ?? options.Port}";
 
@@ -48,6 +51,9 @@ internal sealed class UdpLink(LinkOptions options, SenderFilter filter, UdpServe
     {
         lock (_lock)
         {
+            if (!_closed && ReceiveThread == ReceiveThread.Dedicated)
+                _threads.Return();
+
             _closed = true;
             _socket?.Dispose();
         }

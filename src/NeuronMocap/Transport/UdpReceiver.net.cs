@@ -8,7 +8,8 @@ internal static class UdpReceiver
 {
     private const int MaxDatagram = 65_536;
 
-    public static ReceiveThread ThreadFor(ReceiveThread wanted) => wanted == ReceiveThread.Dedicated ? ReceiveThread.Dedicated : ReceiveThread.Pool;
+    // Whether a port can have a thread of its own.
+    public const bool HasThreads = true;
 
     // Throws when the gate or the socket is closed, or when the socket fails.
     public static Task ReceiveAsync(Socket socket, UdpSenders senders, ReceiveGate gate, ReceiveThread thread) => gate.UntilClosedAsync(

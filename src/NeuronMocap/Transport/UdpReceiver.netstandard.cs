@@ -28,8 +28,7 @@ internal sealed class UdpReceiver : IDisposable
         _operation.Completed += (_, _) => Receive(completed: true);
     }
 
-    [SuppressMessage("Style", "IDE0060", Justification = "The member is that of the other target.")]
-    public static ReceiveThread ThreadFor(ReceiveThread wanted) => ReceiveThread.Pool;
+    public const bool HasThreads = false;
 
     // Throws when the gate or the socket is closed, or when the socket fails.
     [SuppressMessage("Style", "IDE0060", Justification = "The member is that of the other target.")]

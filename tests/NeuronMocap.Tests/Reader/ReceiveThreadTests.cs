@@ -31,9 +31,9 @@ public sealed partial class ReceiveThreadTests : IDisposable
     }
 
     [Fact]
-    public async Task A_udp_port_is_received_on_the_pool()
+    public async Task A_udp_port_is_received_on_the_pool_on_request()
     {
-        await using UdpEnd end = await UdpEnd.StartAsync();
+        await using UdpEnd end = await UdpEnd.StartAsync(static options => options.ReceiveThread = ReceiveThread.Pool);
         Assert.Equal(ReceiveThread.Pool, end.Reader.Status.ReceiveThread);
     }
 

@@ -1,6 +1,7 @@
 using System.Net;
 using System.Net.Sockets;
 using NeuronMocap.Tests.Network;
+using NeuronMocap.Transport;
 
 namespace NeuronMocap.Tests.Reader;
 
@@ -13,6 +14,34 @@ public sealed partial class ReceiveThreadTests
         Port = 0,
         ReceiveThread = ReceiveThread.Dedicated,
     };
+
+    // Other tests may have taken all threads.
+    [Fact]
+    public async Task A_udp_port_gets_a_thread_while_some_are_left()
+    {
+        await using UdpEnd end = await UdpEnd.StartAsync();
+        bool? isPooled = null;
+        end.Reader.MotionReceived += _ => isPooled = Thread.CurrentThread.IsThreadPoolThread;
+        await end.SendAsync(end.CreateSender(), TestPackets.Motion(1));
+        await end.Reader.WaitForFramesAsync(1);
+        Assert.Equal(isPooled == true ? ReceiveThread.Pool : ReceiveThread.Dedicated, end.Reader.Status.ReceiveThread);
+    }
+
+    [Fact]
+    public void A_closed_udp_port_returns_its_thread()
+    {
+        var threads = new ReceiveThreads(limit: 1);
+        for (int i = 0; i < 3; i++)
+        {
+            using var link = new UdpLink(new LinkOptions("127.0.0.1", 0), new SenderFilter([]), threads: threads);
+            Assert.Equal(ReceiveThread.Dedicated, link.ReceiveThread);
+            using var other = new UdpLink(new LinkOptions("127.0.0.1", 0), new SenderFilter([]), threads: threads);
+            Assert.Equal(ReceiveThread.Pool, other.ReceiveThread);
+            link.Close();
+        }
+
+        Assert.True(threads.TryTake(ReceiveThread.Auto));
+    }
 
     [Fact]
     public async Task A_udp_port_gets_a_thread_on_request()

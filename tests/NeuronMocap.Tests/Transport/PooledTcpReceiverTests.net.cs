@@ -10,7 +10,7 @@ public sealed class PooledTcpReceiverTests : TcpReceiverTests
     [Fact]
     public void The_number_of_connection_threads_is_limited()
     {
-        var receivers = new TcpReceivers(maxThreads: 2);
+        var receivers = new TcpReceivers(new ReceiveThreads(limit: 2));
         TcpReceiver first = receivers.Take();
         TcpReceiver second = receivers.Take();
         Assert.IsType<PooledTcpReceiver>(receivers.Take());
@@ -26,7 +26,7 @@ public sealed class PooledTcpReceiverTests : TcpReceiverTests
     [Fact]
     public void Explicit_thread_options_ignore_the_limit()
     {
-        var receivers = new TcpReceivers(maxThreads: 1);
+        var receivers = new TcpReceivers(new ReceiveThreads(limit: 1));
         Assert.IsType<PooledTcpReceiver>(receivers.Take(ReceiveThread.Pool));
         TcpReceiver first = receivers.Take(ReceiveThread.Dedicated);
         TcpReceiver second = receivers.Take(ReceiveThread.Dedicated);
@@ -43,7 +43,7 @@ public sealed class PooledTcpReceiverTests : TcpReceiverTests
     [Fact]
     public async Task A_closed_link_returns_its_thread()
     {
-        var receivers = new TcpReceivers(maxThreads: 1);
+        var receivers = new TcpReceivers(new ReceiveThreads(limit: 1));
         using var server = new TestServer();
         for (int i = 0; i < 3; i++)
         {
