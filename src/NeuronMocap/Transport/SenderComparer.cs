@@ -4,29 +4,7 @@ namespace NeuronMocap.Transport;
 
 // Compares addresses by their bytes. SocketAddress also does this, but has a fault on Mono, and therefore in Unity. There, an address that the system
 // filled in has the hash code zero, but its copy has another.
-internal sealed class SenderComparer : IEqualityComparer<SocketAddress>
+internal sealed partial class SenderComparer : IEqualityComparer<SocketAddress>
 {
     public static SenderComparer Instance { get; } = new();
-
-    public bool Equals(SocketAddress? x, SocketAddress? y)
-    {
-        if (x is null || y is null || x.Size != y.Size)
-            return ReferenceEquals(x, y);
-
-        int same = 0;
-        while (same < x.Size && x[same] == y[same])
-            same++;
-
-        return same == x.Size;
-    }
-
-    // FNV-1a.
-    public int GetHashCode(SocketAddress address)
-    {
-        uint hash = 2_166_136_261;
-        for (int i = 0; i < address.Size; i++)
-            hash = (hash ^ address[i]) * 16_777_619;
-
-        return (int)hash;
-    }
 }
