@@ -20,12 +20,14 @@ internal sealed class AvatarTracker(
     private const double Weight = 1.0 / 64;
 
     private readonly IndexTracker _index = new();
-    private AvatarName _name;
+    private readonly byte[] _name = new byte[ProtocolConstants.AvatarNameSize];
     private string _text = string.Empty;
     private long _lastTimestamp;
     private bool _resumed = true;
     private long _frames;
     private long _intervals;
+
+    // In ticks, and in their square: a division for each frame would take a tenth of the time of the whole path.
     private double _interval;
     private double _variance;
 
@@ -61,8 +63,8 @@ internal sealed class AvatarTracker(
         OutOfOrder = _index.OutOfOrder,
         Restarts = _index.Restarts,
         FrequencyReduction = _index.Step,
-        FrameRate = Volatile.Read(ref _interval) is > 0 and var interval ? 1 / interval : 0,
-        Jitter = PreciseTime.FromSeconds(Math.Sqrt(Math.Max(0, Volatile.Read(ref _variance)))),
+        FrameRate = Volatile.Read(ref _interval) is > 0 and var interval ? Stopwatch.Frequency / interval : 0,
+        Jitter = PreciseTime.FromSeconds(Math.Sqrt(Math.Max(0, Volatile.Read(ref _variance))) / Stopwatch.Frequency),
         LastTimestamp = Volatile.Read(ref _lastTimestamp),
     };
 
@@ -77,15 +79,16 @@ internal sealed class AvatarTracker(
         _index.Restart();
     }
 
-    public void OnFrame(in AvatarName name, uint? index, long timestamp)
+    // name: the bytes of the header, which are compared as a whole.
+    public void OnFrame(ReadOnlySpan<byte> name, uint? index, long timestamp)
     {
-        if (_frames == 0 || name != _name)
+        if (_frames == 0 || !name.SequenceEqual(_name))
             Rename(name);
         if (!_resumed)
         {
             long interval = timestamp - _lastTimestamp;
             _index.OnIndex(index);
-            Average(interval / (double)Stopwatch.Frequency);
+            Average(interval);
             if (intervals is { IsEnabled: true })
                 intervals.Record(kind, interval);
         }
@@ -99,18 +102,18 @@ internal sealed class AvatarTracker(
         Volatile.Write(ref _frames, _frames + 1);
     }
 
-    private void Rename(in AvatarName name)
+    private void Rename(ReadOnlySpan<byte> name)
     {
-        _name = name;
-        Volatile.Write(ref _text, AvatarNames.GetText(name));
+        name.CopyTo(_name);
+        Volatile.Write(ref _text, AvatarNames.GetText(AvatarName.Read(name)));
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    private void Average(double seconds)
+    private void Average(double ticks)
     {
         // Uses a plain mean until there are enough intervals. The first intervals, of frames that arrived in one chunk, would otherwise weigh too much.
         double weight = _intervals < 1 / Weight ? 1.0 / ++_intervals : Weight;
-        double difference = seconds - _interval;
+        double difference = ticks - _interval;
         Volatile.Write(ref _interval, _interval + (weight * difference));
         Volatile.Write(ref _variance, (1 - weight) * (_variance + (weight * difference * difference)));
     }

@@ -120,7 +120,7 @@ internal sealed class StreamCounters(IDurationRecorder? intervals = null)
         Volatile.Write(ref _motionFrames, _motionFrames + 1);
         CountBytes(packet);
         _avatars.Find(packet, MotionHeader.ReadAvatarIndex(header))
-            ?.OnFrame(MotionHeader.ReadAvatarName(header), MotionHeader.ReadFrameIndex(header), packet.Timestamp);
+            ?.OnFrame(MotionHeader.AvatarNameIn(header), MotionHeader.ReadFrameIndex(header), packet.Timestamp);
     }
 
     // Counts a calculation frame of Axis Neuron or Axis Studio; both headers have these fields in the same places.
@@ -134,7 +134,7 @@ internal sealed class StreamCounters(IDurationRecorder? intervals = null)
 
         CountBytes(packet);
         _avatars.Find(packet, CalculationHeader.ReadAvatarIndex(header))
-            ?.OnFrame(CalculationHeader.ReadAvatarName(header), CalculationHeader.ReadFrameIndex(header), packet.Timestamp);
+            ?.OnFrame(CalculationHeader.AvatarNameIn(header), CalculationHeader.ReadFrameIndex(header), packet.Timestamp);
     }
 
     private void CountPassedOver(in ReceivedPacket packet)

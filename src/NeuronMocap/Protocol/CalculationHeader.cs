@@ -90,7 +90,9 @@ public readonly record struct CalculationHeader
 
     internal static uint ReadAvatarIndex(ReadOnlySpan<byte> source) => BinaryPrimitives.ReadUInt32LittleEndian(source[10..]);
 
-    internal static AvatarName ReadAvatarName(ReadOnlySpan<byte> source) => AvatarName.Read(source[14..]);
+    internal static AvatarName ReadAvatarName(ReadOnlySpan<byte> source) => AvatarName.Read(AvatarNameIn(source));
+
+    internal static ReadOnlySpan<byte> AvatarNameIn(ReadOnlySpan<byte> source) => source.Slice(14, ProtocolConstants.AvatarNameSize);
 
     internal static uint? ReadFrameIndex(ReadOnlySpan<byte> source) =>
         TextLine.IsImage(source) ? null : BinaryPrimitives.ReadUInt32LittleEndian(source[46..]);

@@ -116,8 +116,11 @@ public readonly record struct MotionHeader
         BinaryPrimitives.ReadUInt32LittleEndian(source[(DataVersion.IsOld(source[2..]) ? 18 : 10)..]);
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    internal static AvatarName ReadAvatarName(ReadOnlySpan<byte> source) =>
-        AvatarName.Read(source[(DataVersion.IsOld(source[2..]) ? 22 : 14)..]);
+    internal static AvatarName ReadAvatarName(ReadOnlySpan<byte> source) => AvatarName.Read(AvatarNameIn(source));
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    internal static ReadOnlySpan<byte> AvatarNameIn(ReadOnlySpan<byte> source) =>
+        source.Slice(DataVersion.IsOld(source[2..]) ? 22 : 14, ProtocolConstants.AvatarNameSize);
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     internal static uint? ReadFrameIndex(ReadOnlySpan<byte> source) =>

@@ -23,7 +23,7 @@ public sealed class AvatarTrackerTests
     public void Gaps_repetitions_late_frames_and_restarts_are_distinguished(uint[] indices, long lost, long disordered)
     {
         foreach (uint index in indices)
-            _tracker.OnFrame(default, index, timestamp: 1);
+            _tracker.OnFrame(new byte[32], index, timestamp: 1);
 
         Assert.Equal((indices.Length, lost, disordered), (_tracker.Snapshot.Frames, _tracker.Snapshot.Lost, _tracker.Snapshot.OutOfOrder));
     }
@@ -32,7 +32,7 @@ public sealed class AvatarTrackerTests
     public void A_header_without_an_index_loses_nothing()
     {
         for (int i = 0; i < 3; i++)
-            _tracker.OnFrame(default, index: null, timestamp: i);
+            _tracker.OnFrame(new byte[32], index: null, timestamp: i);
 
         Assert.Equal((3, 0), (_tracker.Snapshot.Frames, _tracker.Snapshot.Lost));
     }
@@ -40,10 +40,10 @@ public sealed class AvatarTrackerTests
     [Fact]
     public void Frames_missing_between_connections_are_not_lost()
     {
-        _tracker.OnFrame(default, 5, timestamp: 1);
+        _tracker.OnFrame(new byte[32], 5, timestamp: 1);
         _tracker.Resume();
-        _tracker.OnFrame(default, 50, timestamp: 2);
-        _tracker.OnFrame(default, 52, timestamp: 3);
+        _tracker.OnFrame(new byte[32], 50, timestamp: 2);
+        _tracker.OnFrame(new byte[32], 52, timestamp: 3);
         Assert.Equal(1, _tracker.Snapshot.Lost);
     }
 
@@ -52,13 +52,13 @@ public sealed class AvatarTrackerTests
     {
         long tick = Stopwatch.Frequency / 100;
         for (int i = 0; i < 1000; i++)
-            _tracker.OnFrame(default, (uint)i, i * tick);
+            _tracker.OnFrame(new byte[32], (uint)i, i * tick);
 
         Assert.Equal(100, _tracker.Snapshot.FrameRate, tolerance: 0.01);
         Assert.Equal(0, _tracker.Snapshot.Jitter.TotalMilliseconds, tolerance: 0.01);
 
         for (int i = 0; i < 1000; i++)
-            _tracker.OnFrame(default, (uint)(1000 + i), (1000 * tick) + (i * tick) + (i % 2 == 0 ? tick / 5 : 0));
+            _tracker.OnFrame(new byte[32], (uint)(1000 + i), (1000 * tick) + (i * tick) + (i % 2 == 0 ? tick / 5 : 0));
 
         Assert.Equal(100, _tracker.Snapshot.FrameRate, tolerance: 2);
         Assert.Equal(2, _tracker.Snapshot.Jitter.TotalMilliseconds, tolerance: 0.2);
@@ -68,13 +68,13 @@ public sealed class AvatarTrackerTests
     public void Reduced_frequency_is_distinguished_from_loss_across_connections()
     {
         for (uint i = 0; i < 40; i++)
-            _tracker.OnFrame(default, i * 3, timestamp: i);
+            _tracker.OnFrame(new byte[32], i * 3, timestamp: i);
 
         Assert.Equal((0, 0, 3), (_tracker.Snapshot.Lost, _tracker.Snapshot.Gaps, _tracker.Snapshot.FrequencyReduction));
         _tracker.Resume();
-        _tracker.OnFrame(default, 7000, timestamp: 50);
-        _tracker.OnFrame(default, 7009, timestamp: 51);
-        _tracker.OnFrame(default, 100_000, timestamp: 52);
+        _tracker.OnFrame(new byte[32], 7000, timestamp: 50);
+        _tracker.OnFrame(new byte[32], 7009, timestamp: 51);
+        _tracker.OnFrame(new byte[32], 100_000, timestamp: 52);
         Assert.Equal(
             (2, 1, 3, 1),
             (_tracker.Snapshot.Lost, _tracker.Snapshot.Gaps, _tracker.Snapshot.FrequencyReduction, _tracker.Snapshot.Restarts));
@@ -83,7 +83,7 @@ public sealed class AvatarTrackerTests
     [Fact]
     public void The_age_is_that_of_the_newest_frame_and_never_negative()
     {
-        _tracker.OnFrame(default, 1, timestamp: Stopwatch.Frequency);
+        _tracker.OnFrame(new byte[32], 1, timestamp: Stopwatch.Frequency);
         Assert.Equal(1.5, _tracker.Snapshot.GetAge(Stopwatch.Frequency * 5 / 2).TotalSeconds, tolerance: 1e-6);
         Assert.Equal(TimeSpan.Zero, _tracker.Snapshot.GetAge(0));
     }
@@ -91,9 +91,16 @@ public sealed class AvatarTrackerTests
     [Fact]
     public void The_newest_name_is_kept()
     {
-        _tracker.OnFrame(new AvatarName("First"), 1, 1);
-        _tracker.OnFrame(new AvatarName("Second"), 2, 2);
+        _tracker.OnFrame(NameOf("First"), 1, 1);
+        _tracker.OnFrame(NameOf("Second"), 2, 2);
         Assert.Equal("Second", _tracker.Snapshot.AvatarName);
         Assert.Equal(2, _tracker.Snapshot.AvatarIndex);
+    }
+
+    private static byte[] NameOf(string text)
+    {
+        byte[] bytes = new byte[32];
+        new AvatarName(text).CopyTo(bytes);
+        return bytes;
     }
 }

@@ -210,9 +210,10 @@ public sealed class ReaderMetricsTests
         };
         log.SetMeasurementEventCallback<double>((_, _, tags, _) => Interlocked.Add(ref recorded, tags.Length));
         log.Start();
+        byte[] name = new byte[32];
         var tracker = new AvatarTracker(PacketKind.Motion, 0, 0, new DurationRecorder(NeuronMeter.FrameInterval, new KeyValuePair<string, object?>("a", "b")));
         uint index = 0;
-        Allocations.AssertNone(() => tracker.OnFrame(default, index++, index * 1000));
+        Allocations.AssertNone(() => tracker.OnFrame(name, index++, index * 1000));
         Assert.True(recorded >= 250);
     }
 
