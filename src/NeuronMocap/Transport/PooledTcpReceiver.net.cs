@@ -28,8 +28,13 @@ internal sealed class PooledTcpReceiver : TcpReceiver
         int count;
         do
         {
-            // A receive of zero bytes completes as soon as there are bytes.
+            // A receive of zero bytes completes as soon as there are bytes. It can also complete for bytes that the last receive already took, because the
+            // system's notice of them came later. A receive would then wait with its buffer.
             await socket.ReceiveAsync(Memory<byte>.Empty, SocketFlags.None).ConfigureAwait(false);
+            count = 1;
+            if (socket.Available == 0 && !socket.Poll(0, SelectMode.SelectRead))
+                continue;
+
             byte[] buffer = ArrayPool<byte>.Shared.Rent(BufferSize);
             try
             {
