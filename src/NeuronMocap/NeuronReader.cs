@@ -230,6 +230,9 @@ public sealed partial class NeuronReader : IDisposable, IAsyncDisposable
     // Whether consumers are getting a packet now. The statistics count a packet before its first consumer gets it.
     internal bool IsDelivering => _pipeline.DeliveringThread != 0;
 
+    // On the thread that is delivering: its managed number.
+    internal int DeliveringThread => _pipeline.DeliveringThread;
+
     // Frames use discovered values from the moment of discovery. The next status reports them.
     internal FrameFormat Format => _format;
 

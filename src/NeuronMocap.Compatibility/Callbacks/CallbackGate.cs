@@ -4,7 +4,7 @@ namespace NeuronMocap.Compatibility.Callbacks;
 
 // Allows the callbacks of one socket until the socket is closed, and knows whether a callback is running. Closing waits for running callbacks, but
 // only briefly, because a callback may wait for the thread that closes.
-internal sealed class CallbackGate
+internal sealed partial class CallbackGate
 {
     private static readonly object Lock = new();
 
@@ -30,13 +30,13 @@ internal sealed class CallbackGate
 
     private bool IsIdle => _deliveringThread == 0 && _reportingThreads.Count == 0;
 
-    // Receive thread. If it returns true, EndDelivery must follow.
-    public bool TryBeginDelivery()
+    // Receive thread, with its managed number. If it returns true, EndDelivery must follow.
+    public bool TryBeginDelivery(int thread)
     {
         // This method announces the callback before it checks for closing. Close announces closing before it checks for callbacks. So one of them
         // sees the other.
-        _deliveringThread = Environment.CurrentManagedThreadId;
-        Interlocked.MemoryBarrier();
+        _deliveringThread = thread;
+        FenceDelivery();
         if (!_isClosed)
             return true;
 
@@ -76,7 +76,7 @@ internal sealed class CallbackGate
     public void Close()
     {
         _isClosed = true;
-        Interlocked.MemoryBarrier();
+        FenceClosing();
         Retire();
     }
 
@@ -105,7 +105,7 @@ internal sealed class CallbackGate
                 gate._isClosed = true;
         }
 
-        Interlocked.MemoryBarrier();
+        FenceClosing();
         return WaitUntilClosedAreIdle(timeout);
     }
 

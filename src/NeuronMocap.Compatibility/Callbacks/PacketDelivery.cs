@@ -3,7 +3,7 @@ using NeuronMocap.Protocol;
 
 namespace NeuronMocap.Compatibility.Callbacks;
 
-// Passes the packets of one connection to the callbacks, as images in unmanaged memory. Receive thread only.
+// Passes the packets of one connection to the callbacks, as images in unmanaged memory. Receive thread only; thread is its managed number.
 internal sealed class PacketDelivery(IVendorCallbacks callbacks, CallbackGate gate)
 {
     private readonly PacketMemory _memory = new();
@@ -13,7 +13,7 @@ internal sealed class PacketDelivery(IVendorCallbacks callbacks, CallbackGate ga
 
     // The header is that of b15, or that of b12 if the callbacks ask for it. Its version matches, so one struct fits every frame. A packet that
     // already has this header is used as it is.
-    public void Deliver(IntPtr socket, MotionFrame frame)
+    public void Deliver(IntPtr socket, int thread, MotionFrame frame)
     {
         if (!callbacks.WantsFrames)
             return;
@@ -24,10 +24,10 @@ internal sealed class PacketDelivery(IVendorCallbacks callbacks, CallbackGate ga
         else if (frame.FrameIndex is null)
             (frame.Header with { Version = DataVersion.New, FrameIndex = _motionCounter.Next(frame.Sender, frame.AvatarIndex) }).Write(image);
 
-        Call(PacketKind.Motion, socket, hasData: true);
+        Call(PacketKind.Motion, socket, thread, hasData: true);
     }
 
-    public void Deliver(IntPtr socket, CalculationFrame frame)
+    public void Deliver(IntPtr socket, int thread, CalculationFrame frame)
     {
         if (!callbacks.WantsCalculation)
             return;
@@ -36,17 +36,17 @@ internal sealed class PacketDelivery(IVendorCallbacks callbacks, CallbackGate ga
         if (frame.FrameIndex is null)
             (frame.Header with { Version = DataVersion.Calculation, FrameIndex = _calculationCounter.Next(frame.Sender, frame.AvatarIndex) }).Write(image);
 
-        Call(PacketKind.Calculation, socket, hasData: true);
+        Call(PacketKind.Calculation, socket, thread, hasData: true);
     }
 
     // The data pointer is zero if nothing follows the header.
-    public void Deliver(IntPtr socket, DataCommandReply reply)
+    public void Deliver(IntPtr socket, int thread, DataCommandReply reply)
     {
         if (!callbacks.WantsCommands)
             return;
 
         Copy(reply.Packet.Span);
-        Call(PacketKind.Command, socket, hasData: !reply.Payload.IsEmpty);
+        Call(PacketKind.Command, socket, thread, hasData: !reply.Payload.IsEmpty);
     }
 
     // Whether a callback threw this exception.
@@ -58,9 +58,9 @@ internal sealed class PacketDelivery(IVendorCallbacks callbacks, CallbackGate ga
         : header with { Version = DataVersion.Old, Reserved1 = 0, Reserved2 = 0 };
 
     // Enters the gate last, so that no callback starts after closing, however long this thread was delayed before.
-    private void Call(PacketKind kind, IntPtr socket, bool hasData)
+    private void Call(PacketKind kind, IntPtr socket, int thread, bool hasData)
     {
-        if (!gate.TryBeginDelivery())
+        if (!gate.TryBeginDelivery(thread))
             return;
 
         IntPtr header = _memory.Address;
