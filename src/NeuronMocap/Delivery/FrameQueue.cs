@@ -19,7 +19,7 @@ namespace NeuronMocap;
 /// calculation data of 3.8 KB.
 /// </para>
 /// </remarks>
-public sealed class FrameQueue : IPacketConsumer, ICountedConsumer, IDisposable
+public sealed class FrameQueue : IHoldingConsumer, ICountedConsumer, IDisposable
 {
     // The receive thread may not see yet that it must signal, so the first wait looks again after this time.
     private static readonly TimeSpan FirstWait = TimeSpan.FromMilliseconds(1);
@@ -45,6 +45,7 @@ public sealed class FrameQueue : IPacketConsumer, ICountedConsumer, IDisposable
     private FrameSignal? _signal;
     private int _pumping;
     private int _awaiting;
+    private bool _holds; // Receive thread only.
     private volatile bool _isComplete;
     private volatile bool _disposed;
 
@@ -103,7 +104,7 @@ public sealed class FrameQueue : IPacketConsumer, ICountedConsumer, IDisposable
     // The only kind of frame that is added; None for all kinds.
     internal PacketKind OnlyKind { get; init; }
 
-    // Called on the receive thread after each frame, and when adding is completed.
+    // Called on the receive thread after frames were added, and when adding is completed.
     internal Action? Changed { get; set; }
 
     // Whether a consumer has something to do.
@@ -221,16 +222,35 @@ public sealed class FrameQueue : IPacketConsumer, ICountedConsumer, IDisposable
 
     void IPacketConsumer.OnPacket(in ReceivedPacket packet)
     {
+        Hold(packet);
+        Show();
+    }
+
+    void IHoldingConsumer.Hold(in ReceivedPacket packet) => Hold(packet);
+
+    void IHoldingConsumer.Show() => Show();
+
+    private void Hold(in ReceivedPacket packet)
+    {
         if (_isComplete || (OnlyKind != PacketKind.None && packet.Kind != OnlyKind))
             return;
         if (_thinner is { } thinner && !thinner.Takes(packet))
             return;
 
+        _holds = true;
         if (_ring is not { } ring)
             StoreDroppingOldest(packet);
-        else if (!ring.TryEnqueue(packet) && !(WaitForRoom() && ring.TryEnqueue(packet)))
+        else if (!ring.TryStore(packet) && !(WaitForRoom() && ring.TryStore(packet)))
             Volatile.Write(ref _dropped, _dropped + 1);
+    }
 
+    private void Show()
+    {
+        if (!_holds)
+            return;
+
+        _holds = false;
+        _ring?.Publish();
         Changed?.Invoke();
     }
 
@@ -285,6 +305,9 @@ public sealed class FrameQueue : IPacketConsumer, ICountedConsumer, IDisposable
         if (_backPressure is not { } mayWait)
             return false;
 
+        // The consumer makes room only for frames that it sees.
+        _holds = true;
+        Show();
         var wait = new SpinWait();
         while (Count == Capacity)
         {

@@ -10,7 +10,7 @@ using NeuronMocap.Transport;
 namespace NeuronMocap.Reader;
 
 // The path of a packet from the receive thread to the consumers, and the list of consumers.
-internal sealed class ReceivePipeline : IPacketReceiver, ILinkListener, IReaderStatistics
+internal sealed class ReceivePipeline : IPieceReceiver, ILinkListener, IReaderStatistics
 {
     private const string StreamName = "stream";
 
@@ -32,6 +32,7 @@ internal sealed class ReceivePipeline : IPacketReceiver, ILinkListener, IReaderS
     private readonly DeliveryList _deliveries = new();
     private readonly object _lock = new();
     private volatile bool _stopped;
+    private bool _isInPiece; // Receive thread only.
 
     public ReceivePipeline(
         FrameFormat format,
@@ -88,7 +89,7 @@ internal sealed class ReceivePipeline : IPacketReceiver, ILinkListener, IReaderS
             return;
         }
 
-        if (_receiveLock is null)
+        if (_receiveLock is null && !_isInPiece)
             DeliveringThread = Environment.CurrentManagedThreadId;
 
         bool isNews = packet.IsFrame && _recognizer.OnFrame(packet);
@@ -106,7 +107,7 @@ internal sealed class ReceivePipeline : IPacketReceiver, ILinkListener, IReaderS
         finally
         {
             _activity.EndDelivery();
-            if (_receiveLock is null)
+            if (_receiveLock is null && !_isInPiece)
                 DeliveringThread = 0;
         }
     }
@@ -132,6 +133,27 @@ internal sealed class ReceivePipeline : IPacketReceiver, ILinkListener, IReaderS
                 DeliveringThread = 0;
             }
         }
+    }
+
+    // Queues show the frames of a piece together, unless code of the application also runs on this thread: it may wait for the consumer of a queue.
+    public void BeginPiece()
+    {
+        if (_receiveLock is not null)
+            return;
+
+        _isInPiece = true;
+        DeliveringThread = Environment.CurrentManagedThreadId;
+        _dispatcher.IsHolding = Callbacks.IsEmpty;
+    }
+
+    public void EndPiece()
+    {
+        if (_receiveLock is not null)
+            return;
+
+        _dispatcher.EndHolding();
+        _isInPiece = false;
+        DeliveringThread = 0;
     }
 
     public void OnText(ReadOnlySpan<byte> bytes) => CountText(bytes.Length);
@@ -286,6 +308,9 @@ internal sealed class ReceivePipeline : IPacketReceiver, ILinkListener, IReaderS
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private void Dispatch(in ReceivedPacket packet)
     {
+        if (_dispatcher.IsHolding && (packet.Kind == PacketKind.Command || !Callbacks.IsEmpty))
+            _dispatcher.EndHolding();
+
         _dispatcher.Dispatch(packet);
         if (packet.Kind == PacketKind.Command)
             Commands.OnPacket(packet);
@@ -305,12 +330,19 @@ internal sealed class ReceivePipeline : IPacketReceiver, ILinkListener, IReaderS
         };
 
     // A stop ends every wait, because the reader may be disposed on the thread that would have made room. So does the end of a playback. Null for no wait.
+    // Whoever makes room may wait for a frame of another queue.
     private Func<bool>? BackPressureFor(WhenFull whenFull)
     {
         if (_mayWait is { } mayWait)
-            return () => !_stopped && mayWait(whenFull);
+            return () => MayWait() && mayWait(whenFull);
 
-        return whenFull == WhenFull.Wait ? () => !_stopped : null;
+        return whenFull == WhenFull.Wait ? MayWait : null;
+
+        bool MayWait()
+        {
+            _dispatcher.Show();
+            return !_stopped;
+        }
     }
 
     private FrameQueue Open(FrameQueue queue)

@@ -11,8 +11,8 @@ internal static class Throughput
     private const string Rate = "frames/s";
     private const string Cpu = "CPU ns/frame";
 
-    // A game's main loop is slower and has fewer frames. This loop polls every millisecond, and the queue has room for the frames in between.
-    private const int QueueCapacity = 16 * 1024;
+    // Room for the frames that arrive while the consumer's thread wakes up.
+    private const int QueueCapacity = 4 * 1024;
 
     private static readonly Aim[] Aims =
     [
@@ -86,17 +86,14 @@ internal static class Throughput
     {
         using Peer sender = await StartSenderAsync(perWrite, frames);
         await using NeuronReader reader = CreateReader(sender);
-        using FrameQueue queue = reader.OpenQueue(QueueCapacity);
+        using FrameQueue queue = reader.OpenQueue(new FrameQueueOptions { Capacity = QueueCapacity, WhenFull = WhenFull.Wait });
         long counted = 0;
         TimeSpan cpu = RuntimeFigures.CpuTime;
         reader.Start();
-        while (!reader.Completion.IsCompleted)
-        {
+        while (await queue.WaitAsync())
             counted += queue.Pump<MotionFrame>(static _ => { });
-            Thread.Sleep(1);
-        }
 
-        counted += queue.Pump<MotionFrame>(static _ => { });
+        await reader.Completion;
         return ToFigures(reader, cpu, frames, counted);
     }
 

@@ -60,7 +60,8 @@ public class ReceivePathBenchmarks
     [Benchmark]
     public bool PublishAndTakeQueued()
     {
-        _ring.TryEnqueue(Packet);
+        _ring.TryStore(Packet);
+        _ring.Publish();
         bool taken = _ring.TryPeek(out _);
         _ring.Release();
         return taken;
