@@ -2,6 +2,7 @@ using NeuronMocap.Protocol;
 using NeuronMocap.Reader;
 using NeuronMocap.Tests.Commands;
 using NeuronMocap.Tests.Delivery;
+using NeuronMocap.Tests.Network;
 
 namespace NeuronMocap.Tests.Reader;
 
