@@ -26,8 +26,8 @@ internal static class Udp
         {
             Way[] ways =
             [
-                new("callback, pool", () => CallbackAsync(senders, frames, ReceiveThread.Auto)),
-                new("callback, own thread", () => CallbackAsync(senders, frames, ReceiveThread.Dedicated)),
+                new("callback", () => CallbackAsync(senders, frames, ReceiveThread.Auto)),
+                new("callback, pool threads", () => CallbackAsync(senders, frames, ReceiveThread.Pool)),
             ];
             report.Add(await Alternation.RunAsync($"{senders} senders", runs, new Way("raw", () => FloorAsync(senders, frames)), ways, Aims));
         }
