@@ -237,11 +237,13 @@ public sealed class FrameQueue : IHoldingConsumer, ICountedConsumer, IDisposable
         if (_thinner is { } thinner && !thinner.Takes(packet))
             return;
 
-        _holds = true;
         if (_ring is not { } ring)
             StoreDroppingOldest(packet);
         else if (!ring.TryStore(packet) && !(WaitForRoom() && ring.TryStore(packet)))
             Volatile.Write(ref _dropped, _dropped + 1);
+
+        // After the wait for room, which shows what was held until then.
+        _holds = true;
     }
 
     private void Show()
@@ -306,7 +308,6 @@ public sealed class FrameQueue : IHoldingConsumer, ICountedConsumer, IDisposable
             return false;
 
         // The consumer makes room only for frames that it sees.
-        _holds = true;
         Show();
         var wait = new SpinWait();
         while (Count == Capacity)
