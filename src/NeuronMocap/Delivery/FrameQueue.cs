@@ -30,6 +30,9 @@ public sealed class FrameQueue : IHoldingConsumer, ICountedConsumer, IDisposable
     /// <summary>The default capacity: 4 s of one avatar at 120 Hz, about 0.8 MB.</summary>
     public const int DefaultCapacity = 512;
 
+    // Largest number of frames that are shown to the consumer together. A small queue shows them earlier, so that the consumer can make room.
+    private const int MaxHeld = 64;
+
     // Holds the largest motion packet, of 360 values, in whole cache lines.
     private const int SlotSize = 1536;
 
@@ -45,7 +48,8 @@ public sealed class FrameQueue : IHoldingConsumer, ICountedConsumer, IDisposable
     private FrameSignal? _signal;
     private int _pumping;
     private int _awaiting;
-    private bool _holds; // Receive thread only.
+    private readonly int _maxHeld;
+    private int _held; // Frames since the last call of Show. Receive thread only.
     private volatile bool _isComplete;
     private volatile bool _disposed;
 
@@ -69,6 +73,7 @@ public sealed class FrameQueue : IHoldingConsumer, ICountedConsumer, IDisposable
         else
             _ring = new PacketRing(capacity, SlotSize);
 
+        _maxHeld = Math.Min(MaxHeld, Capacity / 8);
         _frames = new FramePool(format, FramePool.OfHandlers);
         _frames.Prepare(PacketKind.Motion);
         _closed = closed;
@@ -243,15 +248,16 @@ public sealed class FrameQueue : IHoldingConsumer, ICountedConsumer, IDisposable
             Volatile.Write(ref _dropped, _dropped + 1);
 
         // After the wait for room, which shows what was held until then.
-        _holds = true;
+        if (++_held >= _maxHeld)
+            Show();
     }
 
     private void Show()
     {
-        if (!_holds)
+        if (_held == 0)
             return;
 
-        _holds = false;
+        _held = 0;
         _ring?.Publish();
         Changed?.Invoke();
     }

@@ -16,7 +16,7 @@ public sealed class HeldFramesTests
     [Fact]
     public void A_queue_shows_the_frames_of_a_large_piece_together()
     {
-        using FrameQueue queue = _pipeline.OpenQueue(Sent, "held");
+        using FrameQueue queue = _pipeline.OpenQueue(8 * Sent, "held");
         List<int> counts = [];
         queue.Changed = () => counts.Add(queue.Count);
         Push(TestPackets.Motions(0, Sent));
@@ -25,6 +25,20 @@ public sealed class HeldFramesTests
         queue.Pump<MotionFrame>(static _ => { });
         Push(TestPackets.Motion(Sent));
         Assert.Equal([Sent, 1], counts);
+    }
+
+    // The consumer can make room while the rest of the piece is read.
+    [Theory]
+    [InlineData(8, 1)]
+    [InlineData(32, 4)]
+    public void A_small_queue_shows_its_frames_before_it_is_full(int capacity, int together)
+    {
+        using FrameQueue queue = _pipeline.OpenQueue(capacity, "small");
+        List<int> counts = [];
+        queue.Changed = () => counts.Add(queue.Pump<MotionFrame>(static _ => { }));
+        Push(TestPackets.Motions(0, Sent));
+        Assert.Equal(Enumerable.Repeat(together, Sent / together), counts);
+        Assert.Equal(0, queue.Dropped);
     }
 
     [Fact]
