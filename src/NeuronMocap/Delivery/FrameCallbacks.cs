@@ -25,8 +25,6 @@ internal sealed class FrameCallbacks : IPacketConsumer
 
     public FrameHandlers<StudioCalculationFrame> StudioCalculation { get; }
 
-    public bool IsEmpty => Motion.IsEmpty && Calculation.IsEmpty && StudioCalculation.IsEmpty;
-
     public void OnPacket(in ReceivedPacket packet)
     {
         IFrameHandlers handlers = _handlers[(int)packet.Kind]!;

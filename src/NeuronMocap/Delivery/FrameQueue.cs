@@ -19,7 +19,7 @@ namespace NeuronMocap;
 /// calculation data of 3.8 KB.
 /// </para>
 /// </remarks>
-public sealed class FrameQueue : IHoldingConsumer, ICountedConsumer, IDisposable
+public sealed class FrameQueue : IPacketConsumer, ICountedConsumer, IDisposable
 {
     // The receive thread may not see yet that it must signal, so the first wait looks again after this time.
     private static readonly TimeSpan FirstWait = TimeSpan.FromMilliseconds(1);
@@ -29,9 +29,6 @@ public sealed class FrameQueue : IHoldingConsumer, ICountedConsumer, IDisposable
 
     /// <summary>The default capacity: 4 s of one avatar at 120 Hz, about 0.8 MB.</summary>
     public const int DefaultCapacity = 512;
-
-    // Largest number of frames that are shown to the consumer together. A small queue shows them earlier, so that the consumer can make room.
-    private const int MaxHeld = 64;
 
     // Holds the largest motion packet, of 360 values, in whole cache lines.
     private const int SlotSize = 1536;
@@ -48,8 +45,6 @@ public sealed class FrameQueue : IHoldingConsumer, ICountedConsumer, IDisposable
     private FrameSignal? _signal;
     private int _pumping;
     private int _awaiting;
-    private readonly int _maxHeld;
-    private int _held; // Frames since the last call of Show. Receive thread only.
     private volatile bool _isComplete;
     private volatile bool _disposed;
 
@@ -73,7 +68,6 @@ public sealed class FrameQueue : IHoldingConsumer, ICountedConsumer, IDisposable
         else
             _ring = new PacketRing(capacity, SlotSize);
 
-        _maxHeld = Math.Min(MaxHeld, Capacity / 8);
         _frames = new FramePool(format, FramePool.OfHandlers);
         _frames.Prepare(PacketKind.Motion);
         _closed = closed;
@@ -109,7 +103,7 @@ public sealed class FrameQueue : IHoldingConsumer, ICountedConsumer, IDisposable
     // The only kind of frame that is added; None for all kinds.
     internal PacketKind OnlyKind { get; init; }
 
-    // Called on the receive thread after frames were added, and when adding is completed.
+    // Called on the receive thread after each frame, and when adding is completed.
     internal Action? Changed { get; set; }
 
     // Whether a consumer has something to do.
@@ -227,16 +221,6 @@ public sealed class FrameQueue : IHoldingConsumer, ICountedConsumer, IDisposable
 
     void IPacketConsumer.OnPacket(in ReceivedPacket packet)
     {
-        Hold(packet);
-        Show();
-    }
-
-    void IHoldingConsumer.Hold(in ReceivedPacket packet) => Hold(packet);
-
-    void IHoldingConsumer.Show() => Show();
-
-    private void Hold(in ReceivedPacket packet)
-    {
         if (_isComplete || (OnlyKind != PacketKind.None && packet.Kind != OnlyKind))
             return;
         if (_thinner is { } thinner && !thinner.Takes(packet))
@@ -244,21 +228,9 @@ public sealed class FrameQueue : IHoldingConsumer, ICountedConsumer, IDisposable
 
         if (_ring is not { } ring)
             StoreDroppingOldest(packet);
-        else if (!ring.TryStore(packet) && !(WaitForRoom() && ring.TryStore(packet)))
+        else if (!ring.TryEnqueue(packet) && !(WaitForRoom() && ring.TryEnqueue(packet)))
             Volatile.Write(ref _dropped, _dropped + 1);
 
-        // After the wait for room, which shows what was held until then.
-        if (++_held >= _maxHeld)
-            Show();
-    }
-
-    private void Show()
-    {
-        if (_held == 0)
-            return;
-
-        _held = 0;
-        _ring?.Publish();
         Changed?.Invoke();
     }
 
@@ -313,8 +285,6 @@ public sealed class FrameQueue : IHoldingConsumer, ICountedConsumer, IDisposable
         if (_backPressure is not { } mayWait)
             return false;
 
-        // The consumer makes room only for frames that it sees.
-        Show();
         var wait = new SpinWait();
         while (Count == Capacity)
         {

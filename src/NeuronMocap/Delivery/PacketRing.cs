@@ -5,20 +5,15 @@ namespace NeuronMocap.Delivery;
 
 // A bounded queue between one producer (the receive thread) and one consumer (a thread of the application), without locks or allocations.
 //
-// Both indices count up without end; the place of an index is the index modulo the capacity, a power of two. Only the producer writes the tail, and only the consumer
+// Both indices count up without end; the slot is the index modulo the capacity, a power of two. Only the producer writes the tail, and only the consumer
 // writes the head. The producer fills a slot and then publishes the tail with a release. A consumer that reads the new tail with an acquire therefore sees
 // the filled slot. The consumer finishes with a slot before it publishes the head with a release. The producer fills that slot only after it reads the
 // head with an acquire. Each side keeps a copy of the other's index and reads it again only when the copy says full or empty. The indices are ints,
 // because 32-bit processors read an int in one piece. The indices of the two sides lie 128 bytes apart, so the two cores do not compete for a cache line.
-// One line would not be enough, because some processors fetch lines in pairs. What only the producer uses lies apart from the tail for the same reason.
-//
-// The producer can fill several slots and then publish them at once. A ring that the consumer has emptied is filled from its first slot again, so the
-// packets of a fast consumer stay in the caches. A number for each index says which slot it is. Live slots remain distinct: all of them were filled since
-// the last restart, one after the other, and there are at most as many as slots.
+// One line would not be enough, because some processors fetch lines in pairs.
 internal sealed class PacketRing
 {
     private readonly PacketSlots _slots;
-    private readonly int[] _slotOf;
     private readonly int _mask;
     private Indices _indices;
 
@@ -31,8 +26,7 @@ internal sealed class PacketRing
 
         _mask = size - 1;
         _slots = new PacketSlots(size, slotSize);
-        _slotOf = new int[size];
-        _indices.Tail = _indices.Next = _indices.ProducersHead = _indices.Head = _indices.ConsumersTail = firstIndex;
+        _indices.Tail = _indices.ProducersHead = _indices.Head = _indices.ConsumersTail = firstIndex;
     }
 
     public int Capacity => _slots.Count;
@@ -47,31 +41,21 @@ internal sealed class PacketRing
         }
     }
 
-    // Producer. Returns false if the ring is full; the packet is then not stored, and the queued packets stay unchanged. The consumer sees the packet
-    // after Publish.
-    public bool TryStore(in ReceivedPacket packet)
+    // Producer. Returns false if the ring is full; the packet is then not stored, and the queued packets stay unchanged.
+    public bool TryEnqueue(in ReceivedPacket packet)
     {
-        int next = _indices.Next;
-        if (next == _indices.Tail)
-            StartAgainIfEmpty(next);
-
-        if (next - _indices.ProducersHead == _slots.Count)
+        int tail = _indices.Tail;
+        if (tail - _indices.ProducersHead == _slots.Count)
         {
             _indices.ProducersHead = Volatile.Read(ref _indices.Head);
-            if (next - _indices.ProducersHead == _slots.Count)
+            if (tail - _indices.ProducersHead == _slots.Count)
                 return false;
         }
 
-        int slot = _indices.Slot & _mask;
-        _indices.Slot = slot + 1;
-        _slotOf[next & _mask] = slot;
-        _slots.Store(slot, packet);
-        _indices.Next = next + 1;
+        _slots.Store(tail & _mask, packet);
+        Volatile.Write(ref _indices.Tail, tail + 1);
         return true;
     }
-
-    // Producer.
-    public void Publish() => Volatile.Write(ref _indices.Tail, _indices.Next);
 
     // Consumer. The packet lies in its slot and is valid until Release.
     public bool TryPeek(out ReceivedPacket packet)
@@ -87,7 +71,7 @@ internal sealed class PacketRing
             }
         }
 
-        packet = _slots[_slotOf[head & _mask]];
+        packet = _slots[head & _mask];
         return true;
     }
 
@@ -101,35 +85,22 @@ internal sealed class PacketRing
         Volatile.Write(ref _indices.Head, _indices.Head + 1);
     }
 
-    private void StartAgainIfEmpty(int next)
-    {
-        _indices.ProducersHead = Volatile.Read(ref _indices.Head);
-        if (_indices.ProducersHead == next)
-            _indices.Slot = 0;
-    }
-
-    [StructLayout(LayoutKind.Explicit, Size = 512)]
+    [StructLayout(LayoutKind.Explicit, Size = 384)]
     private struct Indices
     {
         [FieldOffset(128)]
         public int Tail;
 
-        [FieldOffset(256)]
-        public int Next;
-
-        [FieldOffset(260)]
-        public int Slot;
-
-        [FieldOffset(264)]
+        [FieldOffset(132)]
         public int ProducersHead;
 
-        [FieldOffset(384)]
+        [FieldOffset(256)]
         public int Head;
 
-        [FieldOffset(388)]
+        [FieldOffset(260)]
         public int ConsumersTail;
 
-        [FieldOffset(392)]
+        [FieldOffset(264)]
         public long Released;
     }
 }

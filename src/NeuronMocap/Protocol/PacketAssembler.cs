@@ -7,11 +7,7 @@ internal sealed class PacketAssembler(PacketScanner scanner, IPacketReceiver rec
 {
     private const int InitialCapacity = 4096;
 
-    // A piece of several frames, which a receiver may handle together.
-    private const int LargePiece = 8 * 1024;
-
     private readonly StreamScanner _scanner = new(scanner);
-    private readonly IPieceReceiver? _pieces = receiver as IPieceReceiver;
     private byte[] _tail = [];
     private int _tailLength;
     private int _needed;
@@ -25,25 +21,6 @@ internal sealed class PacketAssembler(PacketScanner scanner, IPacketReceiver rec
     public void Push(ArraySegment<byte> piece, long timestamp)
     {
         tap?.OnBytes(0, [], piece, timestamp);
-        if (_pieces is not { } pieces || piece.Count < LargePiece)
-        {
-            PushAlone(piece, timestamp);
-            return;
-        }
-
-        pieces.BeginPiece();
-        try
-        {
-            PushAlone(piece, timestamp);
-        }
-        finally
-        {
-            pieces.EndPiece();
-        }
-    }
-
-    private void PushAlone(ArraySegment<byte> piece, long timestamp)
-    {
         while (_tailLength > 0 && piece.Count > 0)
         {
             int taken = _scanner.Wanted(piece, _tailLength, _needed);

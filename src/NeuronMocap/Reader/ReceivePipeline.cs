@@ -10,8 +10,12 @@ using NeuronMocap.Transport;
 namespace NeuronMocap.Reader;
 
 // The path of a packet from the receive thread to the consumers, and the list of consumers.
-internal sealed partial class ReceivePipeline : IPieceReceiver, ILinkListener, IReaderStatistics
+internal sealed class ReceivePipeline : IPacketReceiver, ILinkListener, IReaderStatistics
 {
+    private const string StreamName = "stream";
+
+    private static readonly FrameQueueOptions DefaultQueue = new();
+
     private readonly FrameFormat _format;
     private readonly StreamRecognizer _recognizer;
     private readonly LinkActivity _activity;
@@ -28,7 +32,6 @@ internal sealed partial class ReceivePipeline : IPieceReceiver, ILinkListener, I
     private readonly DeliveryList _deliveries = new();
     private readonly object _lock = new();
     private volatile bool _stopped;
-    private bool _isInPiece; // Receive thread only.
 
     public ReceivePipeline(
         FrameFormat format,
@@ -85,7 +88,7 @@ internal sealed partial class ReceivePipeline : IPieceReceiver, ILinkListener, I
             return;
         }
 
-        if (_receiveLock is null && !_isInPiece)
+        if (_receiveLock is null)
             DeliveringThread = Environment.CurrentManagedThreadId;
 
         bool isNews = packet.IsFrame && _recognizer.OnFrame(packet);
@@ -103,7 +106,7 @@ internal sealed partial class ReceivePipeline : IPieceReceiver, ILinkListener, I
         finally
         {
             _activity.EndDelivery();
-            if (_receiveLock is null && !_isInPiece)
+            if (_receiveLock is null)
                 DeliveringThread = 0;
         }
     }
@@ -129,27 +132,6 @@ internal sealed partial class ReceivePipeline : IPieceReceiver, ILinkListener, I
                 DeliveringThread = 0;
             }
         }
-    }
-
-    // Queues show the frames of a piece together, unless code of the application also runs on this thread: it may wait for the consumer of a queue.
-    public void BeginPiece()
-    {
-        if (_receiveLock is not null)
-            return;
-
-        _isInPiece = true;
-        DeliveringThread = Environment.CurrentManagedThreadId;
-        _dispatcher.IsHolding = Callbacks.IsEmpty;
-    }
-
-    public void EndPiece()
-    {
-        if (_receiveLock is not null)
-            return;
-
-        _dispatcher.EndHolding();
-        _isInPiece = false;
-        DeliveringThread = 0;
     }
 
     public void OnText(ReadOnlySpan<byte> bytes) => CountText(bytes.Length);
@@ -213,6 +195,82 @@ internal sealed partial class ReceivePipeline : IPieceReceiver, ILinkListener, I
     // Called when no more packets will arrive.
     public void End() => _counters.Consumers.CompleteAdding();
 
+    public FrameQueue OpenQueue(int capacity, string name) => OpenQueue(new FrameQueueOptions { Capacity = capacity, Name = name });
+
+    public FrameQueue OpenQueue(FrameQueueOptions options) =>
+        Open(CreateQueue(options.Copy(FrameQueue.DefaultName), PacketKind.None, BackPressureFor(options.WhenFull)));
+
+    public FrameQueue OpenMotionQueue(int capacity, string name) =>
+        Open(CreateQueue(new FrameQueueOptions { Capacity = capacity, Name = name }, PacketKind.Motion, backPressure: null));
+
+    // For a consumer that waits for frames. It never slows an unpaced playback down.
+    public FrameQueue OpenMotionQueue(FrameQueueOptions options)
+    {
+        FrameQueue queue = CreateQueue(options.Copy(FrameQueue.DefaultName), PacketKind.Motion, backPressure: null);
+        queue.PrepareWaiting();
+        return Open(queue);
+    }
+
+    public FrameStream OpenStream(PacketKind kind, FrameQueueOptions? options = null)
+    {
+        FrameQueueOptions how = (options ?? DefaultQueue).Copy(StreamName);
+        FrameQueue queue = CreateQueue(how, kind, BackPressureFor(how.WhenFull));
+        var stream = new FrameStream(queue);
+        Open(queue);
+        return stream;
+    }
+
+    public LatestFrames OpenLatest() => OpenLatest(FrameThinning.None);
+
+    public LatestFrames OpenLatest(FrameThinning thinning)
+    {
+        var latest = new LatestFrames(_format, Close, _metrics.HandOver(LatestFrames.MetricName), thinning.CreateThinner());
+        if (thinning != FrameThinning.None)
+            _counters.Consumers.Add(latest);
+
+        _dispatcher.Add(latest);
+        return latest;
+    }
+
+    // closed: called when the delivery ends.
+    public FrameDelivery OpenDelivery(FrameDeliveryOptions options, DeliveryClock clock, Action<FrameDelivery> closed)
+    {
+        FrameDelivery? delivery = null;
+        FrameQueue? queue = null;
+        IDeliverySource source;
+        if (options.Mode == FrameDeliveryMode.Newest)
+        {
+            source = new NewestSource(_format, options.MaxRate, _metrics.HandOver(options.Name));
+        }
+        else
+        {
+            Func<bool>? mayWait = BackPressureFor(options.WhenFull);
+            queue = new FrameQueue(
+                options.Capacity,
+                _format,
+                _counters.Consumers.Remove,
+                options.Name,
+                _metrics.HandOver(options.Name),
+                mayWait is null ? null : () => mayWait() && delivery!.MayRun,
+                options.WhenFull,
+                options.Thinning.CreateThinner());
+            source = new QueueSource(queue);
+        }
+
+        delivery = new FrameDelivery(options, source, clock, ended =>
+        {
+            _dispatcher.Remove(ended);
+            _deliveries.Remove(ended);
+            closed(ended);
+        });
+        if (queue is not null)
+            _counters.Consumers.Add(queue);
+
+        _dispatcher.Add(delivery);
+        _deliveries.Add(delivery);
+        return delivery;
+    }
+
     public ReaderStatistics GetStatistics() => _counters.Snapshot() with { RefusedDatagrams = _senders.RefusedDatagrams };
 
     public IReadOnlyList<AvatarStatistics> GetAvatarStatistics() => [.. _counters.Trackers.Select(static tracker => tracker.Snapshot)];
@@ -228,9 +286,6 @@ internal sealed partial class ReceivePipeline : IPieceReceiver, ILinkListener, I
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private void Dispatch(in ReceivedPacket packet)
     {
-        if (_dispatcher.IsHolding && (packet.Kind == PacketKind.Command || !Callbacks.IsEmpty))
-            _dispatcher.EndHolding();
-
         _dispatcher.Dispatch(packet);
         if (packet.Kind == PacketKind.Command)
             Commands.OnPacket(packet);
@@ -241,5 +296,39 @@ internal sealed partial class ReceivePipeline : IPieceReceiver, ILinkListener, I
     {
         lock (_receiveLock ?? _lock)
             _counters.Resume(isCalculation);
+    }
+
+    private FrameQueue CreateQueue(FrameQueueOptions options, PacketKind only, Func<bool>? backPressure) =>
+        new(options.Capacity, _format, Close, options.Name!, _metrics.HandOver(options.Name!), backPressure, options.WhenFull, options.Thinning.CreateThinner())
+        {
+            OnlyKind = only,
+        };
+
+    // A stop ends every wait, because the reader may be disposed on the thread that would have made room. So does the end of a playback. Null for no wait.
+    private Func<bool>? BackPressureFor(WhenFull whenFull)
+    {
+        if (_mayWait is { } mayWait)
+            return () => !_stopped && mayWait(whenFull);
+
+        return whenFull == WhenFull.Wait ? () => !_stopped : null;
+    }
+
+    private FrameQueue Open(FrameQueue queue)
+    {
+        _counters.Consumers.Add(queue);
+        _dispatcher.Add(queue);
+        return queue;
+    }
+
+    private void Close(FrameQueue queue)
+    {
+        _dispatcher.Remove(queue);
+        _counters.Consumers.Remove(queue);
+    }
+
+    private void Close(LatestFrames latest)
+    {
+        _dispatcher.Remove(latest);
+        _counters.Consumers.Remove(latest);
     }
 }

@@ -60,8 +60,7 @@ public class ReceivePathBenchmarks
     [Benchmark]
     public bool PublishAndTakeQueued()
     {
-        _ring.TryStore(Packet);
-        _ring.Publish();
+        _ring.TryEnqueue(Packet);
         bool taken = _ring.TryPeek(out _);
         _ring.Release();
         return taken;

@@ -36,7 +36,7 @@ public sealed class HandOverStressTests
         {
             Task producer = Produce((number, packet) =>
             {
-                if (ring.TryStoreAndPublish(packet))
+                if (ring.TryEnqueue(packet))
                     accepted.Add(number);
             });
             var random = new Random(2);

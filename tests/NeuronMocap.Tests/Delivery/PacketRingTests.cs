@@ -26,7 +26,7 @@ public sealed class PacketRingTests
         for (int lap = 0; lap < 100; lap++)
         {
             for (int i = 0; i < 1 + (lap % 4); i++)
-                Assert.True(ring.TryStoreAndPublish(Packet(written++)));
+                Assert.True(ring.TryEnqueue(Packet(written++)));
 
             Assert.Equal(written - read, ring.Count);
             while (ring.TryPeek(out ReceivedPacket packet))
@@ -41,56 +41,18 @@ public sealed class PacketRingTests
     }
 
     [Fact]
-    public void Packets_are_seen_only_once_they_are_published()
-    {
-        var ring = new PacketRing(4, 64);
-        Assert.True(ring.TryStore(Packet(1)));
-        Assert.True(ring.TryStore(Packet(2)));
-        Assert.Equal(0, ring.Count);
-        Assert.False(ring.TryPeek(out _));
-
-        ring.Publish();
-        Assert.Equal(2, ring.Count);
-        Assert.True(ring.TryPeek(out ReceivedPacket packet));
-        Assert.Equal(1, Number(packet));
-    }
-
-    // A consumer that keeps up then uses little memory, which stays in the caches.
-    [Fact]
-    public void An_emptied_ring_is_filled_from_its_first_slot()
-    {
-        var ring = new PacketRing(8, 64);
-        for (int i = 0; i < 20; i++)
-        {
-            ring.TryStoreAndPublish(Packet(i));
-            Assert.True(ring.TryPeek(out ReceivedPacket packet));
-            Assert.Equal(0, packet.Offset);
-            ring.Release();
-        }
-
-        // A packet that is being read keeps its slot.
-        ring.TryStoreAndPublish(Packet(20));
-        Assert.True(ring.TryPeek(out ReceivedPacket first));
-        for (int i = 21; i < 28; i++)
-            Assert.True(ring.TryStoreAndPublish(Packet(i)));
-
-        Assert.False(ring.TryStoreAndPublish(Packet(28)));
-        Assert.Equal((0, 20), (first.Offset, Number(first)));
-    }
-
-    [Fact]
     public void A_full_ring_refuses_the_newest()
     {
         var ring = new PacketRing(2, 64);
-        Assert.True(ring.TryStoreAndPublish(Packet(1)));
-        Assert.True(ring.TryStoreAndPublish(Packet(2)));
-        Assert.False(ring.TryStoreAndPublish(Packet(3)));
+        Assert.True(ring.TryEnqueue(Packet(1)));
+        Assert.True(ring.TryEnqueue(Packet(2)));
+        Assert.False(ring.TryEnqueue(Packet(3)));
 
         Assert.True(ring.TryPeek(out ReceivedPacket first));
         Assert.Equal(1, Number(first));
-        Assert.False(ring.TryStoreAndPublish(Packet(4)));
+        Assert.False(ring.TryEnqueue(Packet(4)));
         ring.Release();
-        Assert.True(ring.TryStoreAndPublish(Packet(5)));
+        Assert.True(ring.TryEnqueue(Packet(5)));
 
         Assert.True(ring.TryPeek(out ReceivedPacket second));
         Assert.Equal(2, Number(second));
@@ -104,7 +66,7 @@ public sealed class PacketRingTests
     {
         var ring = new PacketRing(1, slotSize: 8);
         byte[] large = TestPackets.Calculation(frame: 3);
-        Assert.True(ring.TryStoreAndPublish(new ReceivedPacket(PacketKind.Calculation, large, timestamp: 42, origin: 7)));
+        Assert.True(ring.TryEnqueue(new ReceivedPacket(PacketKind.Calculation, large, timestamp: 42, origin: 7)));
 
         Assert.True(ring.TryPeek(out ReceivedPacket packet));
         Assert.Equal(large, packet.Bytes.ToArray());
@@ -124,7 +86,7 @@ public sealed class PacketRingTests
             {
                 bytes.AsSpan().Fill((byte)i);
                 BitConverter.TryWriteBytes(bytes, i);
-                if (!ring.TryStoreAndPublish(new ReceivedPacket(PacketKind.Motion, bytes, i, 0)))
+                if (!ring.TryEnqueue(new ReceivedPacket(PacketKind.Motion, bytes, i, 0)))
                     refused++;
                 if (i % 64 == 0)
                     Thread.Yield();
@@ -167,7 +129,7 @@ public sealed class PacketRingTests
         {
             for (int i = 0; !stop.IsCancellationRequested; i++)
             {
-                ring.TryStoreAndPublish(Packet(i));
+                ring.TryEnqueue(Packet(i));
                 if (ring.TryPeek(out _))
                     ring.Release();
             }
