@@ -17,13 +17,13 @@ internal static class Properties
     /// <summary>Asserts that a property holds for all cases.</summary>
     /// <param name="cases">Creates the cases.</param>
     /// <param name="simpler">Returns simpler cases to try after a failure, the simplest first.</param>
-    /// <param name="count">The number of cases.</param>
+    /// <param name="count">The number of cases, see <see cref="Trials"/>.</param>
     /// <param name="property">Throws if the property does not hold.</param>
     public static void Hold<T>(Gen<T> cases, Func<T, IEnumerable<T>> simpler, int count, Action<T> property)
     {
         var start = new Rnd(Seed(), gamma: 1);
         Config config = Config.QuickThrowOnFailure
-            .WithMaxTest(count)
+            .WithMaxTest(Trials.Of(count))
             .WithQuietOnSuccess(true)
             .WithReplay(FSharpOption<Replay>.Some(new Replay(start, FSharpOption<int>.None)));
         Prop.ForAll(Arb.From(cases, simpler), property).Check(config);

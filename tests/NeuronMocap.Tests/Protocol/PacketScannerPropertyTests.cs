@@ -30,7 +30,7 @@ public sealed class PacketScannerPropertyTests
         });
 
         Assert.True(
-            packets > 15_000 && refused > 5_000 && pending > 1_000,
+            packets > Trials.Fewest(15_000) && refused > Trials.Fewest(5_000) && pending > Trials.Fewest(1_000),
             $"{packets} packets, {refused} refused headers, {pending} open ends: the streams are too poor to prove anything.");
     }
 

@@ -73,7 +73,7 @@ public class TextNumberTests
     public void Random_decimals_are_read_as_the_nearest_float()
     {
         var random = new Random(1);
-        for (int i = 0; i < 200_000; i++)
+        for (int i = 0; i < Trials.Of(100_000); i++)
         {
             double value = (random.NextDouble() - 0.5) * Math.Pow(10, random.Next(-3, 5));
             AssertNearest(value.ToString("F" + random.Next(0, 9), CultureInfo.InvariantCulture));
@@ -84,7 +84,7 @@ public class TextNumberTests
     public void Random_digits_with_random_exponents_are_read_as_the_nearest_float()
     {
         var random = new Random(2);
-        for (int i = 0; i < 100_000; i++)
+        for (int i = 0; i < Trials.Of(50_000); i++)
         {
             string digits = string.Concat(Enumerable.Range(0, random.Next(1, 25)).Select(_ => random.Next(10)));
             AssertNearest(digits.Insert(random.Next(digits.Length + 1), ".") + "e" + random.Next(-70, 50));
@@ -96,7 +96,7 @@ public class TextNumberTests
     public void Halfway_numbers_are_read_as_the_nearest_float()
     {
         var random = new Random(3);
-        for (int i = 0; i < 10_000; i++)
+        for (int i = 0; i < Trials.Of(5_000); i++)
         {
             int bits = random.Next(0x00800000, 0x7F000000);
             if (i % 2 == 0)
@@ -120,7 +120,7 @@ public class TextNumberTests
     public void Long_words_are_read_as_the_nearest_float()
     {
         var random = new Random(5);
-        for (int i = 0; i < 100_000; i++)
+        for (int i = 0; i < Trials.Of(50_000); i++)
         {
             int count = i % 100 == 0 ? random.Next(1, 3000) : random.Next(1, 150);
             string digits = string.Concat(Enumerable.Range(0, count).Select(_ => random.Next(10)));
@@ -135,7 +135,7 @@ public class TextNumberTests
     public void Exact_halfway_numbers_are_distinguished_from_their_neighbours()
     {
         var random = new Random(6);
-        for (int i = 0; i < 20_000; i++)
+        for (int i = 0; i < Trials.Of(10_000); i++)
         {
             int bits = (i % 4) switch
             {

@@ -19,6 +19,9 @@ public sealed partial class ByteReceiverTests
     [EverySplitting("mixed", "text", "studio-354", "new-180", "calculation", "zero-count")]
     public async Task Segments_of_a_stream(string name, Splitting splitting)
     {
+        if (IsTriedElsewhere(name, splitting))
+            return;
+
         byte[] bytes = StreamFixture.Load(name).Bytes;
         PacketLog whole = Whole(bytes);
         foreach (IEnumerable<ArraySegment<byte>> pieces in Splits.Of(bytes, splitting))
@@ -29,6 +32,9 @@ public sealed partial class ByteReceiverTests
     [EverySplitting("mixed", "text", "studio-354", "new-180", "calculation", "zero-count")]
     public async Task Reads_of_a_pipe(string name, Splitting splitting)
     {
+        if (IsTriedElsewhere(name, splitting))
+            return;
+
         byte[] bytes = StreamFixture.Load(name).Bytes;
         PacketLog whole = Whole(bytes);
         foreach (IEnumerable<ArraySegment<byte>> pieces in Splits.Of(bytes, splitting))
@@ -47,6 +53,10 @@ public sealed partial class ByteReceiverTests
     [EverySplitting("mixed", "text", "studio-354")]
     public async Task Reads_of_a_stream_through_a_pipe(string name, Splitting splitting)
     {
+        // Some eight thousand splits, each with a change of threads, would take too long.
+        if (splitting == Splitting.EverySplitInTwo)
+            return;
+
         byte[] bytes = StreamFixture.Load(name).Bytes;
         PacketLog whole = Whole(bytes);
         foreach (IEnumerable<ArraySegment<byte>> pieces in Splits.Of(bytes, splitting))
@@ -94,6 +104,9 @@ public sealed partial class ByteReceiverTests
         Assert.Equal(bytes.Length, sizes.Sizes.Sum());
         Assert.All(sizes.Sizes, static size => Assert.InRange(size, 1, 256 * 1024));
     }
+
+    // The scanner has every split of every stream. Here, the streams differ only in their length.
+    private static bool IsTriedElsewhere(string name, Splitting splitting) => splitting == Splitting.EverySplitInTwo && name != "mixed";
 
     private static PipeReceiver PipeOf(IEnumerable<byte[]> segments) => new(PipeReader.Create(Sequence.Of(segments)));
 

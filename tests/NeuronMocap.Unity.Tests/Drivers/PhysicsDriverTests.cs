@@ -71,9 +71,11 @@ public sealed class PhysicsDriverTests : SourceFixture
         RunSlowly(0.001, () => speeds[0].Count > 40);
         Array.ForEach(speeds, static list => list.Clear());
         Vector3 start = figure.Root.transform.position;
+        var time = Stopwatch.StartNew();
         RunSlowly(0.001, () => speeds[0].Count > 100);
 
-        Assert.InRange((figure.Root.transform.position - start).magnitude, 0.6f * Speed, 4 * Speed);
+        // The performer walks in real time, and the game takes fewer steps in it if the computer is busy.
+        Assert.InRange((figure.Root.transform.position - start).magnitude, 0.6f * Speed, 2.4f * Speed * ((float)time.Elapsed.TotalSeconds + 0.5f));
         foreach (List<float> list in speeds)
         {
             list.Sort();

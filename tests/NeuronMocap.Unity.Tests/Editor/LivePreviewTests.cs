@@ -334,11 +334,11 @@ public sealed class LivePreviewTests : IDisposable
     }
 
     // The time of the editor is that of the simulator, which has threads of its own. A faster one would let the performer seem lost on a busy computer.
-    private static void TickUntil(Func<bool> condition)
+    private void TickUntil(Func<bool> condition)
     {
         MainThread.Claim();
         long last = Stopwatch.GetTimestamp();
-        Assert.True(SpinWait.SpinUntil(
+        bool isTrue = SpinWait.SpinUntil(
             () =>
             {
                 long now = Stopwatch.GetTimestamp();
@@ -346,7 +346,8 @@ public sealed class LivePreviewTests : IDisposable
                 last = now;
                 return condition();
             },
-            Limits.Unexpected));
+            Limits.Unexpected);
+        Assert.True(isTrue, $"{MocapSource.All.Count} sources, {_source.State}: {_source.StatusMessage} {_driver.Performer} {_driver.Problem}");
     }
 
     private static GuiControl Toggle() => EditorWorld.Controls.Single(static control => control.Kind == "Toggle" && control.Label == PreviewButton.Label);

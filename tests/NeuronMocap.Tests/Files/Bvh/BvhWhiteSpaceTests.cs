@@ -32,8 +32,9 @@ public class BvhWhiteSpaceTests
             ' ' => [.. SameLine, .. LineEnds],
             _ => SameLine,
         };
+        int place = Write(gap, "").Length - File[(gap + 1)..].Count(static letter => letter != '~');
         foreach (string shape in shapes)
-            AssertReads(Write(gap, shape), expected);
+            AssertReads(Write(gap, shape), expected, Math.Max(0, place - 2), place + shape.Length + 2);
     }
 
     [Theory]
@@ -97,7 +98,8 @@ public class BvhWhiteSpaceTests
         BvhReadings.AssertAlike(file, seed: 1);
     }
 
-    private static void AssertReads(string text, string expected)
+    // from, to: the splits to try. White space that differs in one place needs only those around it.
+    private static void AssertReads(string text, string expected, int from = 0, int to = int.MaxValue)
     {
         byte[] file = Encoding.ASCII.GetBytes(text);
         BvhReadings.AssertAlike(file, seed: text.Length);
@@ -108,7 +110,7 @@ public class BvhWhiteSpaceTests
         using var written = new MemoryStream();
         document.Save(written);
         Assert.Equal(expected, Describe(BvhDocument.Parse(written.ToArray())));
-        for (int split = 0; split <= file.Length; split++)
+        for (int split = from; split <= Math.Min(file.Length, to); split++)
             AssertSplit(file, split, expected);
     }
 
