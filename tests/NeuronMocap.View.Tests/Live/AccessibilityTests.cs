@@ -1,5 +1,4 @@
 using System.Text.Json;
-using Microsoft.Playwright;
 using NeuronMocap.Tool.Tests.View;
 using NeuronMocap.View.Tests.Infrastructure;
 
