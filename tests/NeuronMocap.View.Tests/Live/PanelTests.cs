@@ -20,7 +20,7 @@ public sealed class PanelTests(SharedBrowser browser) : IDisposable
         await page.Page.Keyboard.PressAsync("p");
         await page.Page.GetByRole(AriaRole.Button, new() { Name = "Diagnose", Exact = true }).ClickAsync();
         await page.Page.Locator("dialog[open] pre").WaitForAsync();
-        Assert.Contains("Ok", await page.Page.Locator("dialog[open] pre").InnerTextAsync(), StringComparison.Ordinal);
+        Assert.Contains("ok: ", await page.Page.Locator("dialog[open] pre").InnerTextAsync(), StringComparison.Ordinal);
         await page.Page.GetByRole(AriaRole.Button, new() { Name = "Close" }).ClickAsync();
 
         // The recording becomes a take, with its own time line.
