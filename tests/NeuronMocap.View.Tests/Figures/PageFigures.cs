@@ -68,7 +68,7 @@ public sealed class PageFigures(SharedBrowser browser, ITestOutputHelper output)
         for (int i = 0; i < 3; i++)
         {
             var watch = Stopwatch.StartNew();
-            var start = new ProcessStartInfo(Path.Combine(AppContext.BaseDirectory, "neuron-mocap")) { RedirectStandardOutput = true };
+            var start = new ProcessStartInfo(Path.Combine(AppContext.BaseDirectory, "neuron-mocap")) { RedirectStandardOutput = true, UseShellExecute = false };
             foreach (string argument in (string[])["view", "demo", "--port", "0"])
                 start.ArgumentList.Add(argument);
             using Process program = Process.Start(start)!;
