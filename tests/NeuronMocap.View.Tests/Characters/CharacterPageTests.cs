@@ -22,9 +22,9 @@ public sealed class CharacterPageTests(SharedBrowser browser) : IDisposable
         byte[] figure = await view.Client.GetByteArrayAsync($"/api/takes/{id}/performers/{key}/figure.glb", TestContext.Current.CancellationToken);
         await page.DropAsync("figure.glb", figure);
         await UntilShownAsync(page);
-        foreach (string press in (string[])["End", "Home"])
+        foreach ((string press, int frame) in ((string, int)[])[("End", Frames), ("Home", 1)])
         {
-            await page.Page.Keyboard.PressAsync(press);
+            await GoAsync(page, press, frame);
 
             // Poses of characters come in chunks of their own.
             await page.UntilAsync("""
@@ -50,34 +50,51 @@ public sealed class CharacterPageTests(SharedBrowser browser) : IDisposable
         await page.UntilMovingAsync();
         await page.DropAsync(file, await File.ReadAllBytesAsync(Path.Combine(_folder.FullName, file), TestContext.Current.CancellationToken));
         await UntilShownAsync(page);
-        await page.Page.Keyboard.PressAsync("End");
-        await page.UntilAsync("() => { const { state, frame } = window.neuronMocap; return frame(state().performers[0].key) > 200; }");
-        await page.UntilAsync("""
-            limbs => {
-              const { state, joints, character } = window.neuronMocap;
-              const { performers, characters } = state();
-              const [own, other] = [joints(performers[0].key), character(characters[0].id)];
-              const way = (from, to) => { const way = to.map((each, i) => each - from[i]); const length = Math.hypot(...way); return way.map(each => each / length); };
-              return limbs.every(([from, to]) => {
-                const [a, b] = [way(own[from], own[to]), way(other[from], other[to])];
-                return a.reduce((sum, each, i) => sum + each * b[i], 0) > Math.cos(6 * Math.PI / 180);
-              });
-            }
-            """, Limbs);
+        foreach ((string key, int frame, int degreesOfLegs) in ((string, int, int)[])[("End", Frames, DegreesOfStep), ("Home", 1, 2)])
+        {
+            await GoAsync(page, key, frame);
+            await page.UntilAsync(IsLike, new { arms = Arms, legs = Legs, degreesOfLegs });
+        }
+
         page.AssertClean();
     }
 
-    private static readonly string[][] Limbs =
-    [
-        ["LeftArm", "LeftForeArm"], ["LeftForeArm", "LeftHand"], ["RightArm", "RightForeArm"], ["RightForeArm", "RightHand"],
-        ["LeftUpLeg", "LeftLeg"], ["LeftLeg", "LeftFoot"], ["RightUpLeg", "RightLeg"], ["RightLeg", "RightFoot"],
-    ];
+    private const int Frames = 120;
+
+    // Feet that touch the ground stay in their place, and legs of other lengths then have other angles.
+    private const int DegreesOfStep = 12;
+
+    // The angles between the performer's limbs and the character's.
+    private const string IsLike = """
+        ({ arms, legs, degreesOfLegs }) => {
+          const { state, joints, character } = window.neuronMocap;
+          const { performers, characters } = state();
+          const [own, other] = [joints(performers[0].key), character(characters[0].id)];
+          const way = (from, to) => { const way = to.map((each, i) => each - from[i]); const length = Math.hypot(...way); return way.map(each => each / length); };
+          const isWithin = degrees => limb => {
+            const [from, to] = limb.split(" ");
+            const [a, b] = [way(own[from], own[to]), way(other[from], other[to])];
+            return a.reduce((sum, each, i) => sum + each * b[i], 0) > Math.cos(degrees * Math.PI / 180);
+          };
+          return arms.every(isWithin(0.5)) && legs.every(isWithin(degreesOfLegs));
+        }
+        """;
+
+    private static readonly string[] Arms = ["LeftArm LeftForeArm", "LeftForeArm LeftHand", "RightArm RightForeArm", "RightForeArm RightHand"];
+    private static readonly string[] Legs = ["LeftUpLeg LeftLeg", "LeftLeg LeftFoot", "RightUpLeg RightLeg", "RightLeg RightFoot"];
+
+    private static async Task GoAsync(TestPage page, string key, int frame)
+    {
+        await page.Page.Keyboard.PressAsync(key);
+        await page.UntilAsync("words => document.querySelector('.readout .frame').textContent === words", $"frame {frame} of {Frames}");
+    }
 
     private static Task UntilShownAsync(TestPage page) => page.UntilAsync(
         "() => { const { characters } = window.neuronMocap.state(); return characters.length === 1 && characters[0].isShown; }");
 
     private async Task WriteSamplesAsync()
     {
+        Assert.SkipUnless(Directory.Exists(Repository.PathOf("web", "node_modules")), "The packages of the folder web are not installed.");
         var start = new ProcessStartInfo("node", ["samples.mjs", _folder.FullName]) { WorkingDirectory = Repository.PathOf("web"), UseShellExecute = false };
         Process? process = null;
         try

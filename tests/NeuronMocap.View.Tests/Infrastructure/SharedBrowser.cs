@@ -1,4 +1,3 @@
-using Microsoft.Playwright;
 using NeuronMocap.View.Tests.Infrastructure;
 
 [assembly: AssemblyFixture(typeof(SharedBrowser))]

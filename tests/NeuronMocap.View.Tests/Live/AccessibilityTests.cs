@@ -1,5 +1,4 @@
 using System.Text.Json;
-using Microsoft.Playwright;
 using NeuronMocap.Tool.Tests.View;
 using NeuronMocap.View.Tests.Infrastructure;
 
@@ -8,6 +7,9 @@ namespace NeuronMocap.View.Tests.Live;
 // Everybody can use the page: on a phone, in both themes, and with the keyboard.
 public sealed class AccessibilityTests(SharedBrowser browser)
 {
+    // Pixels from which the panel is open at first.
+    private const int WidthOfPanel = 960;
+
     [Theory]
     [InlineData("demo", 390, 844, ColorScheme.Dark)]
     [InlineData("demo", 1000, 600, ColorScheme.Light)]
@@ -26,12 +28,13 @@ public sealed class AccessibilityTests(SharedBrowser browser)
 
         // By the protocol of the browser, because the page itself allows no script of others.
         await page.EvaluateAsync($"() => {{ {await File.ReadAllTextAsync(axe, TestContext.Current.CancellationToken)}\n; return true; }}");
-        JsonElement violations = await page.EvaluateAsync("""
-            async () => (await axe.run(document, { resultTypes: ["violations"] })).violations
-              .filter(each => each.impact === "serious" || each.impact === "critical")
-              .map(each => `${each.id}: ${each.nodes.map(node => node.html).join(" ")}`)
-            """);
-        Assert.Empty(violations.EnumerateArray().Select(static each => each.GetString()));
+        await AssertRulesAsync(page);
+
+        // On a phone, the panel covers a part of the stage.
+        await PressAsync(page, "p");
+        await page.UntilAsync("before => document.body.classList.contains('with-panel') !== before", width > WidthOfPanel);
+        await AssertRulesAsync(page);
+        Assert.InRange((await page.EvaluateAsync("() => document.documentElement.scrollWidth")).GetInt32(), 1, width);
         page.AssertClean();
     }
 
@@ -62,6 +65,16 @@ public sealed class AccessibilityTests(SharedBrowser browser)
         }
 
         page.AssertClean();
+    }
+
+    private static async Task AssertRulesAsync(TestPage page)
+    {
+        JsonElement violations = await page.EvaluateAsync("""
+            async () => (await axe.run(document, { resultTypes: ["violations"] })).violations
+              .filter(each => each.impact === "serious" || each.impact === "critical")
+              .map(each => `${each.id}: ${each.nodes.map(node => node.html).join(" ")}`)
+            """);
+        Assert.Empty(violations.EnumerateArray().Select(static each => each.GetString()));
     }
 
     private static Task PressAsync(TestPage page, string key) => page.Page.Keyboard.PressAsync(key);

@@ -45,6 +45,25 @@ public sealed class StateTests(SharedBrowser browser)
         page.AssertClean();
     }
 
+    [Fact]
+    public async Task A_stream_without_performers_is_named_with_the_setting_to_change()
+    {
+        await using var broadcaster = new Broadcaster(new BroadcasterOptions
+        {
+            Sources = [new SyntheticSource()],
+            BindAddress = IPAddress.Loopback,
+            Port = 0,
+            SendMotion = false,
+            Calculation = static (_, _, values) => values.Clear(),
+        });
+        broadcaster.Start();
+        await using RunningView view = await RunningView.StartAsync(broadcaster.LocalEndPoint!.ToString());
+        await using TestPage page = await TestPage.OpenAsync(browser, view.Link);
+        await AssertAdviceAsync(page, "receiving");
+        Assert.Contains("BVH", (await page.StateAsync()).GetProperty("advice").GetString(), StringComparison.Ordinal);
+        page.AssertClean();
+    }
+
     private static async Task AssertAdviceAsync(TestPage page, params string[] states)
     {
         await page.UntilAsync("states => { const { state, advice } = window.neuronMocap.state(); return states.includes(state) && advice !== ''; }", states);

@@ -27,10 +27,17 @@ export function installTestHook(page: Page, connection: Connection, panel: Panel
     },
     /** The same joints as the figure's nodes have them, after the picture. Empty while there is no figure. */
     figure: (key: string): Record<string, Point> => page.performers.get(key)?.figureJoints() ?? {},
+    /** The number of the frame in the stream. Takes have none. */
     frame: (key: string): number => page.performers.get(key)?.pose.frame ?? -1,
+    /** The time of the pose that is shown: since the start of a take, or Unix time. */
+    time: (key: string): number => page.performers.get(key)?.pose.time ?? NaN,
     character: (id: string): Record<string, Point> => characters.joints(id),
+    /** Draws as a good graphics card does, however long it takes. */
+    drawWell: () => page.stage.setQuality(2, 2048),
     stats: () => ({
       fps: panel.hud.fps,
+      pictures: page.loop.pictures,
+      isSoftware: page.stage.isSoftware,
       frameTimes: [...page.loop.frameTimes.subarray(0, Math.min(page.loop.pictures, page.loop.frameTimes.length))],
       motionTimes: [...page.loop.motionTimes.subarray(0, Math.min(page.loop.pictures, page.loop.motionTimes.length))],
       heap: (performance as { memory?: { usedJSHeapSize: number } }).memory?.usedJSHeapSize ?? null,

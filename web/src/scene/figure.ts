@@ -1,7 +1,8 @@
-import { Mesh, type MeshStandardMaterial, type Object3D, type SkinnedMesh, Vector3 } from "three";
+import { Mesh, type MeshStandardMaterial, type Object3D, SkinnedMesh, Vector3 } from "three";
 import { GLTFLoader } from "three/addons/loaders/GLTFLoader.js";
 import type { Body } from "./body";
 import type { Pose } from "../live/pose";
+import { makeRigid } from "./rigid";
 
 /** The skinned figure of a performer. Its nodes have the names of the stream's bones. */
 export class Figure {
@@ -25,8 +26,18 @@ export class Figure {
     });
   }
 
-  static async load(bytes: ArrayBuffer, body: Body): Promise<Figure> {
+  /** @param isRigid Draws a mesh for each bone, which suits a processor, instead of a skin, which suits a graphics card. */
+  static async load(bytes: ArrayBuffer, body: Body, isRigid = false): Promise<Figure> {
     const { scene } = await new GLTFLoader().parseAsync(bytes, "");
+    if (isRigid) {
+      const skins: SkinnedMesh[] = [];
+      scene.traverse(node => {
+        if (node instanceof SkinnedMesh)
+          skins.push(node);
+      });
+      skins.forEach(makeRigid);
+    }
+
     return new Figure(scene, body);
   }
 

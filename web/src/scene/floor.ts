@@ -42,6 +42,7 @@ export class Floor {
   readonly group = new Group();
   private readonly _grid: ShaderMaterial;
   private readonly _shadow = new ShadowMaterial({ transparent: true, depthWrite: false });
+  private readonly _shadows: Mesh;
 
   constructor() {
     this._grid = new ShaderMaterial({
@@ -52,12 +53,16 @@ export class Floor {
       depthWrite: false,
     });
     const plane = new PlaneGeometry(Size, Size).rotateX(-Math.PI / 2);
-    const shadow = new Mesh(plane, this._shadow);
-    shadow.receiveShadow = true;
+    this._shadows = new Mesh(plane, this._shadow);
+    this._shadows.receiveShadow = true;
     const grid = new Mesh(plane, this._grid);
     grid.position.y = 0.001;
     grid.renderOrder = 1;
-    this.group.add(shadow, grid);
+    this.group.add(this._shadows, grid);
+  }
+
+  set hasShadows(value: boolean) {
+    this._shadows.visible = value;
   }
 
   /** Keeps the middle of the floor near the performers. The lines stay where they are. */

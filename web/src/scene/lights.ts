@@ -42,8 +42,12 @@ export class Lights {
     this._fitBias();
   }
 
-  /** Pixels of a side of the shadows' picture. */
+  /** Pixels of a side of the shadows' picture; 0 for no shadows. */
   setDetail(pixels: number): void {
+    this._sun.castShadow = pixels > 0;
+    if (pixels === 0)
+      return;
+
     this._sun.shadow.mapSize.set(pixels, pixels);
     this._sun.shadow.map?.dispose();
     this._sun.shadow.map = null;

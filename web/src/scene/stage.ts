@@ -1,14 +1,17 @@
-import { Color, NeutralToneMapping, PCFShadowMap, PerspectiveCamera, Scene, WebGLRenderer } from "three";
+import { Color, NeutralToneMapping, PCFShadowMap, PerspectiveCamera, Scene, type WebGLRenderer } from "three";
 import { DarkScene, LightScene } from "./colours";
 import { Floor } from "./floor";
+import { createGraphics } from "./graphics";
 import { Lights } from "./lights";
 
 /** The scene with light and floor, and the canvas that shows it. Metres, Y up. */
 export class Stage {
   readonly scene = new Scene();
   readonly camera = new PerspectiveCamera(35, 1, 0.05, 200);
-  readonly renderer = new WebGLRenderer({ antialias: true, powerPreference: "high-performance" });
-  readonly canvas = this.renderer.domElement;
+  readonly renderer: WebGLRenderer;
+  readonly canvas: HTMLCanvasElement;
+  /** True if the processor draws. */
+  readonly isSoftware: boolean;
   readonly floor = new Floor();
   readonly lights = new Lights();
   private readonly _background = new Color();
@@ -19,6 +22,10 @@ export class Stage {
   constructor(place: HTMLElement, changed: () => void) {
     this._place = place;
     this._changed = changed;
+    const { renderer, isSoftware } = createGraphics();
+    this.renderer = renderer;
+    this.canvas = renderer.domElement;
+    this.isSoftware = isSoftware;
     this.renderer.shadowMap.enabled = true;
     this.renderer.shadowMap.type = PCFShadowMap;
     this.renderer.toneMapping = NeutralToneMapping;
@@ -36,10 +43,11 @@ export class Stage {
     this.renderer.render(this.scene, this.camera);
   }
 
-  /** @param pixels The most pixels for a point of the page. @param shadows Pixels of the shadows' side. */
+  /** @param pixels The most pixels for a point of the page. @param shadows Pixels of the shadows' side; 0 for none. */
   setQuality(pixels: number, shadows: number): void {
     this._mostPixels = pixels;
     this.lights.setDetail(shadows);
+    this.floor.hasShadows = shadows > 0;
     this._fit();
   }
 

@@ -5,6 +5,7 @@ import { BoneCount, Pose } from "../../src/live/pose";
 import { JointAxes } from "../../src/scene/axes";
 import { Body } from "../../src/scene/body";
 import { ContactMarks } from "../../src/scene/contacts";
+import { isSoftwareName } from "../../src/scene/graphics";
 import { Quality } from "../../src/scene/quality";
 import type { Stage } from "../../src/scene/stage";
 import { Sticks } from "../../src/scene/sticks";
@@ -88,12 +89,35 @@ test("a contact appears under the foot, and fades when it ends", () => {
 });
 
 test("slow pictures lower the quality, single ones do not", () => {
-  const changes: number[] = [];
-  const quality = new Quality({ setQuality: (pixels: number) => changes.push(pixels) } as unknown as Stage);
+  const { quality, changes } = qualityOf(false);
   for (let i = 0; i < 300; i++)
-    quality.judge(i % 10 === 0 ? 100 : 16);
+    quality.judge(i % 10 === 0 ? 250 : 16);
   assert.deepEqual(changes, []);
   for (let i = 0; i < 300; i++)
     quality.judge(100);
-  assert.deepEqual(changes, [1.25, 1, 0.75]);
+  assert.deepEqual(changes, [[1.25, 1024], [1, 512], [0.75, 512], [0.6, 0]]);
 });
+
+test("slow pictures count by their time, so that very slow graphics need few", () => {
+  const { quality, changes } = qualityOf(false);
+  for (let i = 0; i < 10; i++)
+    quality.judge(250);
+  assert.equal(changes.length, 1);
+});
+
+test("a processor that draws begins with the least quality", () => {
+  assert.deepEqual(qualityOf(true).changes, [[0.6, 0]]);
+  assert.ok(isSoftwareName("ANGLE (Google, Vulkan 1.3.0 (SwiftShader Device (Subzero) (0x0000C0DE)), SwiftShader driver)"));
+  assert.ok(isSoftwareName("llvmpipe (LLVM 15.0.6, 256 bits)"));
+  assert.ok(isSoftwareName("ANGLE (Microsoft, Microsoft Basic Render Driver Direct3D11 vs_5_0 ps_5_0, D3D11)"));
+  assert.ok(!isSoftwareName("ANGLE (Intel, Mesa Intel(R) UHD Graphics 620 (KBL GT2), OpenGL 4.6)"));
+  assert.ok(!isSoftwareName("Apple GPU"));
+});
+
+function qualityOf(isSoftware: boolean): { quality: Quality; changes: [number, number][] } {
+  const changes: [number, number][] = [];
+  const setQuality = (pixels: number, shadows: number): void => {
+    changes.push([pixels, shadows]);
+  };
+  return { quality: new Quality({ isSoftware, setQuality } as unknown as Stage), changes };
+}

@@ -1,0 +1,37 @@
+using NeuronMocap.Tool.Tests.Files;
+using NeuronMocap.Tool.Tests.View;
+using NeuronMocap.View.Tests.Infrastructure;
+
+namespace NeuronMocap.View.Tests.Live;
+
+// What a person does with the stream by its buttons.
+public sealed class PanelTests(SharedBrowser browser) : IDisposable
+{
+    private readonly TemporaryFolder _folder = new();
+
+    public void Dispose() => _folder.Dispose();
+
+    [Fact]
+    public async Task A_click_diagnoses_records_and_shows_the_recording()
+    {
+        await using RunningView view = await RunningView.StartAsync("demo", "--record-folder", _folder[string.Empty]);
+        await using TestPage page = await TestPage.OpenAsync(browser, view.Link);
+        await page.UntilMovingAsync();
+        await page.Page.Keyboard.PressAsync("p");
+        await page.Page.GetByRole(AriaRole.Button, new() { Name = "Diagnose", Exact = true }).ClickAsync();
+        await page.Page.Locator("dialog[open] pre").WaitForAsync();
+        Assert.Contains("ok: ", await page.Page.Locator("dialog[open] pre").InnerTextAsync(), StringComparison.Ordinal);
+        await page.Page.GetByRole(AriaRole.Button, new() { Name = "Close" }).ClickAsync();
+
+        // The recording becomes a take, with its own time line.
+        await page.Page.GetByRole(AriaRole.Button, new() { Name = "Record", Exact = true }).ClickAsync();
+        await page.UntilAsync("() => /, [1-9]/.test(document.querySelector('.recording').textContent)");
+        await page.Page.GetByRole(AriaRole.Button, new() { Name = "Stop the recording" }).ClickAsync();
+        await page.Page.Locator(".finished").GetByRole(AriaRole.Button, new() { Name = "Show" }).ClickAsync();
+        await page.UntilAsync("() => { const { mode, performers } = window.neuronMocap.state(); return mode === 'take' && performers[0]?.poses > 0; }");
+        string file = Assert.Single(_folder.Names);
+        Assert.EndsWith(".nmrec", file, StringComparison.Ordinal);
+        Assert.Contains(file, await page.Page.Locator(".finished").InnerTextAsync(), StringComparison.Ordinal);
+        page.AssertClean();
+    }
+}
