@@ -10,10 +10,10 @@ internal sealed partial class ClientSession
     // connection.
     private const int ListeningPause = 10;
 
-    private readonly RequestScanner _scanner = new();
-
     // The longest wait in milliseconds of a client that keeps up.
     private const int ShortWait = 20;
+
+    private readonly RequestScanner _scanner = new();
 
     // Whether this session's thread looks for requests between two writes. It does so at full speed, as long as the client reads: a socket with an asynchronous
     // receive wakes two more threads each time it has room again.

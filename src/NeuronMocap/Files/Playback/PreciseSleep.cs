@@ -6,9 +6,9 @@ namespace NeuronMocap.Recording;
 // Sleeps for less than a millisecond, which .NET cannot. Only on 64-bit Linux, where a thread wakes about 0.1 ms late.
 internal static class PreciseSleep
 {
-    private static volatile bool s_isMissing = !OperatingSystem.IsLinux() || IntPtr.Size != sizeof(long);
+    private static volatile bool _isMissing = !OperatingSystem.IsLinux() || IntPtr.Size != sizeof(long);
 
-    public static bool IsAvailable => !s_isMissing;
+    public static bool IsAvailable => !_isMissing;
 
     // Ticks of Stopwatch, less than a second. Returns earlier after a signal.
     public static void Sleep(long ticks)
@@ -20,7 +20,7 @@ internal static class PreciseSleep
         }
         catch (Exception exception) when (exception is DllNotFoundException or EntryPointNotFoundException)
         {
-            s_isMissing = true;
+            _isMissing = true;
         }
     }
 
