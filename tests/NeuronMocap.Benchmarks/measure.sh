@@ -59,6 +59,7 @@ short() {
 # measure BUILD COMMAND OPTIONS...: one table.
 measure() {
     wanted "$2" || return 0
+    [[ $1 = mono || $1 = netstandard2.0 ]] || build "$1" "$1"
     local run=(dotnet "$scratch/$1/NeuronMocap.Benchmarks.dll")
     [ "$1" != mono ] || run=(mono "$scratch/mono/NeuronMocap.Benchmarks.exe")
     # shellcheck disable=SC2046
@@ -66,7 +67,6 @@ measure() {
 }
 
 for framework in net8.0 netstandard2.1; do
-    build "$framework" "$framework"
     for command in bvh decode avatars consumers throughput latency streams broadcast kinematics messages retarget record window playback; do
         measure "$framework" "$command"
     done
@@ -105,4 +105,5 @@ if wanted throughput || wanted window; then
     done
 fi
 
+[ -z "$update" ] || build net8.0 net8.0
 [ -z "$update" ] || dotnet "$scratch/net8.0/NeuronMocap.Benchmarks.dll" page --results "$out" --page "$page"

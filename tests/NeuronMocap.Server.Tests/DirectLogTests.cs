@@ -160,6 +160,25 @@ public sealed class DirectLogTests
     }
 
     [Fact]
+    public async Task Whole_frames_of_several_packets_pass_at_once_and_stay_for_others()
+    {
+        var log = new FrameLog(length: 4, packetsPerFrame: 2);
+        FrameCursor cursor = log.CreateCursor();
+        var recipient = new Recipient();
+        log.Attach(cursor, recipient);
+        FrameCursor other = log.CreateCursor();
+        Task<FrameBatch> reading = await ReadAsync(cursor, log: log);
+        log.Publish(Units(1));
+        log.Publish(Units(2));
+        Assert.Equal([1, 1, 2, 2], recipient.Taken);
+        Assert.Equal([(2, 0), (2, 0)], recipient.Parts);
+        Assert.False(reading.IsCompleted);
+        Assert.Equal(new FrameBatch(4, 4), log.Read(other, _buffer));
+        Assert.Equal([1, 1, 2, 2], _buffer[..4]);
+        log.Abort();
+    }
+
+    [Fact]
     public async Task A_reader_without_room_reads_the_frame_on_its_own_thread()
     {
         var log = new FrameLog(length: 4, packetsPerFrame: 2);

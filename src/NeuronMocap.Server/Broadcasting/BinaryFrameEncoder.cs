@@ -1,3 +1,4 @@
+using System.Runtime.InteropServices;
 using NeuronMocap.Protocol;
 
 namespace NeuronMocap.Server.Broadcasting;
@@ -18,8 +19,18 @@ internal class BinaryFrameEncoder(FramePlan plan) : FrameEncoder(plan)
         Reserved = Plan.Version == DataVersion.Studio ? (uint)Plan.Order : 0,
     };
 
-    protected override int WriteMotion(long frame, int avatar, ReadOnlySpan<float> values, Span<byte> destination) =>
-        PacketEncoder.WriteMotion(destination, CreateHeader(frame, avatar), values);
+    protected override int WriteMotion(long frame, int avatar, Span<byte> destination)
+    {
+        if (!Plan.WritesInPlace)
+            return PacketEncoder.WriteMotion(destination, CreateHeader(frame, avatar), GetMotion(frame, avatar));
+
+        // The source writes into the packet. A copy would cost as much as the rest of the encoding.
+        int length = Plan.MaxMotionSize;
+        Span<float> values = MemoryMarshal.Cast<byte, float>(destination[ProtocolConstants.HeaderSize..length]);
+        Plan.Sources[avatar].WriteValues(frame, Plan.Layout, Plan.Order, values);
+        (CreateHeader(frame, avatar) with { ValueCount = values.Length }).Write(destination);
+        return length;
+    }
 
     protected override int WriteCalculation(long frame, int avatar, Span<byte> destination)
     {

@@ -4,7 +4,7 @@ namespace NeuronMocap.Server.Broadcasting;
 /// <remarks>Allocates nothing per frame. An encoder has scratch memory, so each thread needs its own.</remarks>
 internal abstract class FrameEncoder(FramePlan plan)
 {
-    private readonly float[] _motion = new float[plan.Layout.ValueCount];
+    private readonly float[] _motion = new float[plan.WritesInPlace ? 0 : plan.Layout.ValueCount];
     private readonly float[] _calculation = new float[plan.Calculation is null ? 0 : CalculationFrame.FullValueCount];
 
     protected FramePlan Plan => plan;
@@ -19,11 +19,7 @@ internal abstract class FrameEncoder(FramePlan plan)
         for (int avatar = 0; avatar < plan.AvatarCount; avatar++)
         {
             if (plan.HasMotion)
-            {
-                plan.Sources[avatar].WriteValues(frame, plan.Layout, plan.Order, _motion);
-                written += WriteMotion(frame, avatar, _motion, destination[written..]);
-            }
-
+                written += WriteMotion(frame, avatar, destination[written..]);
             if (plan.HasCalculation)
                 written += WriteCalculation(frame, avatar, destination[written..]);
         }
@@ -31,9 +27,16 @@ internal abstract class FrameEncoder(FramePlan plan)
         return written;
     }
 
-    protected abstract int WriteMotion(long frame, int avatar, ReadOnlySpan<float> values, Span<byte> destination);
+    protected abstract int WriteMotion(long frame, int avatar, Span<byte> destination);
 
     protected abstract int WriteCalculation(long frame, int avatar, Span<byte> destination);
+
+    // The values are valid until the next call.
+    protected ReadOnlySpan<float> GetMotion(long frame, int avatar)
+    {
+        plan.Sources[avatar].WriteValues(frame, plan.Layout, plan.Order, _motion);
+        return _motion;
+    }
 
     // Returns as many values as the broadcast carries. They are valid until the next call.
     protected ReadOnlySpan<float> Calculate(long frame, int avatar)

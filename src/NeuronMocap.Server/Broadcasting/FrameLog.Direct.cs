@@ -31,7 +31,7 @@ internal sealed partial class FrameLog
         }
     }
 
-    /// <summary>Adds units, each of which is a frame of one packet. Copies them only if a reader has not taken them directly.</summary>
+    /// <summary>Adds units, each of which is a whole frame. Copies them only if a reader has not taken them directly.</summary>
     /// <param name="units">The units.</param>
     public void Publish(UnitBatch units)
     {
@@ -46,7 +46,7 @@ internal sealed partial class FrameLog
             {
                 if (cursor.IsWaiting && cursor.Direct is { } direct)
                 {
-                    bool isDone = TryPass(units, packets: 1, first: 0, cursor, direct, out int taken);
+                    bool isDone = TryPass(units, packetsPerFrame, first: 0, cursor, direct, out int taken);
                     cursor.MoveTo(start + taken);
                     if (!isDone)
                         EndWait(cursor);
@@ -60,7 +60,7 @@ internal sealed partial class FrameLog
             {
                 ref Slot slot = ref _slots[(start + i) % _slots.Length];
                 slot.Clear();
-                slot.Append(units.BytesOf(i), packets: 1);
+                slot.Append(units.BytesOf(i), packetsPerFrame);
             }
 
             _end = start + units.Count;

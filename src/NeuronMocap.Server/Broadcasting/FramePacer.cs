@@ -72,14 +72,13 @@ internal sealed class FramePacer(
     private sealed class PacedStream(FramePlan plan, FrameLog log)
     {
         private readonly FrameEncoder _encoder = plan.CreateEncoder();
-        private readonly byte[] _bytes = new byte[plan.MaxFrameSize];
-        private int _length;
+        private readonly UnitBatch _frame = new(plan.MaxFrameSize);
         private int _offset;
         private int _place;
 
         public void Encode(long frame)
         {
-            _length = _encoder.Encode(frame, _bytes);
+            _frame.SetSingle(_encoder.Encode(frame, _frame.Bytes));
             _offset = 0;
             _place = 0;
         }
@@ -87,15 +86,15 @@ internal sealed class FramePacer(
         // Publishes the next packet, or the whole frame. With isPacket, nothing happens after the last packet.
         public void Publish(bool isPacket)
         {
-            ReadOnlySpan<byte> rest = _bytes.AsSpan(_offset, _length - _offset);
-            if (rest.IsEmpty)
-                return;
-
             if (!isPacket)
             {
-                log.Publish(rest);
+                log.Publish(_frame);
                 return;
             }
+
+            ReadOnlySpan<byte> rest = _frame.BytesOf(0)[_offset..];
+            if (rest.IsEmpty)
+                return;
 
             int size = plan.MeasurePacket(rest, plan.IsMotion(_place++));
             log.Publish(rest[..size], packets: 1);

@@ -28,6 +28,7 @@ internal sealed class FramePlan : BroadcastContent
         CalculationValueCount = options.CalculationValueCount;
         TextDecimals = options.TextDecimals;
         TextQuirks = options.TextQuirks;
+        WritesInPlace = _format != BroadcastFormat.Text && options.Fragment is null && BitConverter.IsLittleEndian;
         FrameCount = Math.Min(options.MaxFrames ?? long.MaxValue, options.Sources.Min(source => source.FrameCount ?? long.MaxValue));
         MaxMotionSize = HasMotion ? MeasureMotion() : 0;
         MaxCalculationSize = HasCalculation ? MeasureCalculation() : 0;
@@ -57,6 +58,9 @@ internal sealed class FramePlan : BroadcastContent
     public int TextDecimals { get; }
 
     public TextQuirks TextQuirks { get; }
+
+    // Whether sources write values where the packet needs them. Without fragments, every packet starts at a multiple of four bytes.
+    public bool WritesInPlace { get; }
 
     // Frames are counted from 0. long.MaxValue when the broadcast never ends.
     public long FrameCount { get; }

@@ -14,10 +14,10 @@ internal sealed class TextFrameEncoder(FramePlan plan) : FrameEncoder(plan)
 
     public static int MaxCalculationSize(FramePlan plan) => 1 + TextEncoder.GetMaxCalculationSize(plan.CalculationValueCount, plan.TextDecimals);
 
-    protected override int WriteMotion(long frame, int avatar, ReadOnlySpan<float> values, Span<byte> destination)
+    protected override int WriteMotion(long frame, int avatar, Span<byte> destination)
     {
         int start = BeginLine(destination);
-        int end = start + TextEncoder.WriteMotion(destination[start..], avatar, Plan.Names[avatar], values, Plan.TextDecimals);
+        int end = start + TextEncoder.WriteMotion(destination[start..], avatar, Plan.Names[avatar], GetMotion(frame, avatar), Plan.TextDecimals);
         if (_lineFeedOnly)
             destination[--end - 1] = (byte)'\n';
 

@@ -43,6 +43,15 @@ internal sealed class UnitBatch(int capacity = 64 * 1024)
         _length += bytes.Length;
     }
 
+    /// <summary>Replaces all units by one that is already in <see cref="Bytes"/>.</summary>
+    /// <param name="length">Number of bytes, from the start.</param>
+    public void SetSingle(int length)
+    {
+        _units.Clear();
+        _length = length;
+        Cut(TimeSpan.Zero, isCalculation: false);
+    }
+
     /// <summary>Completes the next unit.</summary>
     public void Cut(TimeSpan time, bool isCalculation) => _units.Add(new Unit(_length, time, isCalculation));
 

@@ -21,10 +21,6 @@ internal sealed partial class ClientSession : NetworkRecipient
     // Limits the replies that are sent together, so that a client with very many requests still gets its frames.
     private const int MaxReplies = 64 * 1024;
 
-    // The pause in milliseconds between two reads of requests. A flood of requests wakes the sender no more often and waits in the client's own
-    // connection.
-    private const int ListeningPause = 10;
-
     // Milliseconds.
     private const int PacketPause = 1;
 
@@ -42,8 +38,6 @@ internal sealed partial class ClientSession : NetworkRecipient
     private long _sent;
     private long _motionSent;
     private long _calculationSent;
-    private Task _listened = Task.CompletedTask;
-    private volatile bool _isFinishing;
 
     public ClientSession(
         ClientTransport transport,
@@ -65,6 +59,7 @@ internal sealed partial class ClientSession : NetworkRecipient
         _rest = _isDirect ? new byte[Plan.MaxFrameSize] : [];
         if (_isDirect)
             feed.Attach(this);
+        _listensHere = _isDirect && !feed.IsLive;
     }
 
     public override void Dispose() => _transport.Dispose();
@@ -78,11 +73,12 @@ internal sealed partial class ClientSession : NetworkRecipient
 
     protected override bool SendAll()
     {
-        _listened = ListenAsync();
+        BeginListening();
         int kept = 0;
         bool isOver;
         do
         {
+            ListenNow();
             FrameBatch batch = ReadFeed(_buffer.AsSpan(kept, ReadSize));
             if (!WriteRest())
                 return false;
@@ -104,9 +100,8 @@ internal sealed partial class ClientSession : NetworkRecipient
     // The client sees the end of the stream after the last byte. It then has some time to read the rest and close its side.
     protected override void Finish()
     {
-        _isFinishing = true;
         _transport.EndSending();
-        _listened.Wait(_closeTimeout);
+        FinishListening();
     }
 
     private bool Write(int count, in FrameBatch batch)
@@ -132,7 +127,7 @@ internal sealed partial class ClientSession : NetworkRecipient
     // Waits until at least a part is sent. Returns false if the connection must be closed.
     private bool TrySend(byte[] bytes, int offset, int count, out int sent)
     {
-        SocketError error = _transport.TrySend(bytes, offset, count, out sent);
+        SocketError error = _listensHere ? TrySendSoon(bytes, offset, count, out sent) : _transport.TrySend(bytes, offset, count, out sent);
         if (error is SocketError.TimedOut or SocketError.WouldBlock)
             _transport.DropUnsent();
         if (error != SocketError.Success)
@@ -207,46 +202,6 @@ internal sealed partial class ClientSession : NetworkRecipient
             Feed.Wake();
 
         return filled;
-    }
-
-    // Ends when the client closes its sending side or the connection is gone. A closed sending side is not a reason to stop sending to the client.
-    private async Task ListenAsync()
-    {
-        var scanner = new RequestScanner();
-        try
-        {
-            int read;
-            while ((read = await _transport.ReceiveAsync(scanner.Room).ConfigureAwait(false)) > 0)
-            {
-                scanner.Advance(read);
-                bool hasRequests = false;
-                while (scanner.TryRead(out DataCommandHeader request))
-                    hasRequests |= Accept(request, scanner.Request);
-
-                if (hasRequests && !_isFinishing)
-                    await Task.Delay(ListeningPause).ConfigureAwait(false);
-            }
-        }
-        catch (Exception exception) when (exception is SocketException or ObjectDisposedException or OutOfMemoryException)
-        {
-            // The next write reports the error.
-        }
-    }
-
-    // Returns whether the request causes work.
-    private bool Accept(in DataCommandHeader request, ReadOnlySpan<byte> bytes)
-    {
-        if (Stream.Forwarder is { } forwarder)
-        {
-            forwarder.Add(this, request, bytes);
-            return true;
-        }
-
-        bool hasReplies = Commands?.Accept(request) ?? false;
-        if (hasReplies)
-            Feed.Wake();
-
-        return hasReplies;
     }
 
     // The packets and replies put into the stream between the previous milestone and the position End.

@@ -26,6 +26,23 @@ internal abstract class ClientTransport : IDisposable
     /// <exception cref="ObjectDisposedException">The connection was ended on this side.</exception>
     public virtual SocketError TrySendNow(byte[] buffer, int offset, int count, out int sent) => throw new NotSupportedException();
 
+    /// <summary>Waits until there is room. Only after <see cref="TryStopWaiting"/>.</summary>
+    /// <param name="milliseconds">The longest wait.</param>
+    /// <returns>Whether there is room, or the connection has failed.</returns>
+    /// <exception cref="ObjectDisposedException">The connection was ended on this side.</exception>
+    public virtual bool HasRoom(int milliseconds) => true;
+
+    /// <summary>Takes bytes of the client that have already arrived. Only after <see cref="TryStopWaiting"/>.</summary>
+    /// <param name="room">Receives the bytes.</param>
+    /// <param name="count">Their number; 0 when the client has closed its side.</param>
+    /// <returns>False if nothing has arrived, or if the connection has failed: the next send reports that.</returns>
+    /// <exception cref="ObjectDisposedException">The connection was ended on this side.</exception>
+    public virtual bool TryReceiveNow(ArraySegment<byte> room, out int count)
+    {
+        count = 0;
+        return false;
+    }
+
     /// <summary>Waits for bytes of the client.</summary>
     /// <returns>Their number; 0 when the client has closed its side.</returns>
     /// <exception cref="SocketException">The connection has failed.</exception>

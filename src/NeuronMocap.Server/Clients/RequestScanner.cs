@@ -14,7 +14,10 @@ internal sealed class RequestScanner
     private int _count;
 
     // Room for the next bytes.
-    public Memory<byte> Room => _buffer.AsMemory(_count);
+    public Memory<byte> Room => Segment;
+
+    // The same room.
+    public ArraySegment<byte> Segment => new(_buffer, _count, _buffer.Length - _count);
 
     // Every byte of the request that was read last.
     public ReadOnlySpan<byte> Request => _request;

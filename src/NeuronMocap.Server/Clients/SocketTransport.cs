@@ -9,7 +9,7 @@ namespace NeuronMocap.Server.Clients;
 internal sealed class SocketTransport : ClientTransport
 {
     // Not every runtime ends a wait when its socket closes.
-    private const int PollMilliseconds = 100;
+    private const int PollMilliseconds = 500;
 
     private readonly Socket _socket;
     private readonly int _sendTimeout;
@@ -75,6 +75,14 @@ internal sealed class SocketTransport : ClientTransport
     {
         sent = _socket.Send(buffer, offset, count, SocketFlags.None, out SocketError error);
         return error;
+    }
+
+    public override bool HasRoom(int milliseconds) => _socket.Poll(milliseconds * 1000, SelectMode.SelectWrite);
+
+    public override bool TryReceiveNow(ArraySegment<byte> room, out int count)
+    {
+        count = _socket.Receive(room.Array!, room.Offset, room.Count, SocketFlags.None, out SocketError error);
+        return error == SocketError.Success;
     }
 
     public override async ValueTask<int> ReceiveAsync(Memory<byte> room) => await _socket.ReceiveAsync(room, SocketFlags.None).ConfigureAwait(false);

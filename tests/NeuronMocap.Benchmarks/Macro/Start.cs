@@ -69,8 +69,8 @@ internal sealed class Start(DirectoryInfo programs, int runs, Report report)
             string shown = string.Empty;
             char[] buffer = new char[4096];
 
-            // The name of a bone or an avatar's first line appears when the first frame is shown.
-            while (!shown.Contains("Char00", StringComparison.Ordinal))
+            // The names of bones appear with the first frame.
+            while (!shown.Contains("Hips", StringComparison.Ordinal))
             {
                 int count = await process.StandardOutput.ReadAsync(buffer);
                 if (count == 0)
