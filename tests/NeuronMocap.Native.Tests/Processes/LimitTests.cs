@@ -7,9 +7,9 @@ public sealed class LimitTests
     private const int Attempts = 30;
 
     [Theory]
-    [InlineData("addresses", 1_000_000)]
+    [InlineData("addresses", 2_500_000)]
     [InlineData("descriptors", 64)]
-    [InlineData("threads", 24)]
+    [InlineData("threads", 40)]
     public async Task The_library_works_within_narrow_limits(string what, int most) =>
         Assert.Equal(0, await GetFailuresAsync(what, most));
 
