@@ -114,6 +114,8 @@ internal sealed class TestPage : IAsyncDisposable
             _sockets[socket] = true;
             CheckServer(new Uri(socket.Url), link);
         };
+        // From now on the driver catches the dialogs for files. If it began when a test waits for one, the dialog could come first.
+        Page.FileChooser += static (_, _) => { };
         await _context.RouteAsync("**/*", route =>
         {
             var address = new Uri(route.Request.Url);

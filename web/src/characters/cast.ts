@@ -52,6 +52,12 @@ export class Cast {
     this._assign();
   }
 
+  /** Keeps the feet in their place while they touch the ground, or lets them slide. */
+  plantFeet(character: Character, plants: boolean): void {
+    character.plantsFeet = plants;
+    this._assign();
+  }
+
   remove(character: Character): void {
     this._motions.get(character)?.dispose();
     this._motions.delete(character);

@@ -31,6 +31,8 @@ export class Character {
   readonly group = new Group();
   /** Key of the performer that it follows. */
   performer = "";
+  /** Whether feet that touch the ground stay in their place. */
+  plantsFeet = true;
   private readonly _loaded: LoadedCharacter;
   private readonly _point = new Vector3();
   private _bones: CharacterBones | null = null;

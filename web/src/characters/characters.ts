@@ -9,6 +9,7 @@ export function createCharacters(page: Page, takes: Takes): Characters {
   const section = new CharacterSection(page.slots.characters, page.performers, {
     follow: (character, performer) => cast.follow(character, performer),
     setBeside: (character, beside) => cast.setBeside(character, beside),
+    plantFeet: (character, plants) => cast.plantFeet(character, plants),
     remove: character => cast.remove(character),
     choose: () => page.drops.choose(CharacterEndings),
   });

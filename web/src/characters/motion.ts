@@ -23,18 +23,18 @@ export class CharacterMotion {
 
   /** Introduces the character to the server. Throws an ApiError with a sentence if the server cannot move it. */
   async introduce(): Promise<void> {
-    const { skeleton, name, performer } = this._character;
+    const { skeleton, name, performer, plantsFeet: plant } = this._character;
     const { nodes, humanoid, lowest } = skeleton;
-    const answer = await this._page.api.change<CharacterBones>("POST", "characters", { name, performer, variant: this._variant, nodes, humanoid, lowest });
+    const answer = await this._page.api.change<CharacterBones>("POST", "characters", { name, performer, variant: this._variant, nodes, humanoid, lowest, plant });
     this._character.bind(answer!);
     this._changed();
   }
 
-  /** Follows whoever the character follows now. Call it after every change of performers, takes and connections. */
+  /** Follows whoever the character follows now. Call it after every change of performers, takes, connections and feet. */
   adjust(): void {
     const isOpen = this._page.connection.state === "open";
-    const { performer } = this._character;
-    const goal = isOpen && this._page.performers.get(performer) ? `${this._takes.current ?? ""} ${performer} ${this._variant}` : "";
+    const { performer, plantsFeet } = this._character;
+    const goal = isOpen && this._page.performers.get(performer) ? `${this._takes.current ?? ""} ${performer} ${this._variant} ${plantsFeet}` : "";
     if (goal === this._goal)
       return;
 
@@ -99,9 +99,9 @@ export class CharacterMotion {
 
   // A program that was started again does not know the character.
   private async _follow(): Promise<void> {
-    const { bones, performer } = this._character;
+    const { bones, performer, plantsFeet: plant } = this._character;
     try {
-      const answer = await this._page.api.change<CharacterBones>("PUT", `characters/${bones?.id}`, { performer, variant: this._variant });
+      const answer = await this._page.api.change<CharacterBones>("PUT", `characters/${bones?.id}`, { performer, variant: this._variant, plant });
       this._character.bind(answer!);
     } catch (error) {
       if (!(error instanceof ApiError) || error.status !== 404)

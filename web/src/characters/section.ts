@@ -7,6 +7,7 @@ import type { Character } from "./character";
 export interface CharacterActions {
   follow(character: Character, performer: string): void;
   setBeside(character: Character, beside: boolean): void;
+  plantFeet(character: Character, plants: boolean): void;
   remove(character: Character): void;
   choose(): void;
 }
@@ -38,17 +39,20 @@ export class CharacterSection {
   }
 
   private _row(character: Character, index: number): HTMLElement {
-    const { name } = character;
+    const { name, plantsFeet } = character;
     const isBeside = character.place > 0;
     const beside = iconButton("figure", `Show the figure of the performer beside ${name}`, "", () => this._actions.setBeside(character, !isBeside));
     setPressed(beside, isBeside);
     beside.dataset["id"] = `beside ${index}`;
+    const feet = iconButton("contacts", `Keep the feet of ${name} in place on the ground`, "", () => this._actions.plantFeet(character, !plantsFeet));
+    setPressed(feet, plantsFeet);
+    feet.dataset["id"] = `feet ${index}`;
     const remove = iconButton("close", `Remove ${name}`, "", () => this._actions.remove(character));
     remove.dataset["id"] = `remove ${index}`;
     return element(
       "li", {},
       element("span", { class: "name" }, name, ...(character.bones?.problems ?? []).map(problem => element("small", {}, problem))),
-      beside, remove, this._choice(character, index));
+      beside, feet, remove, this._choice(character, index));
   }
 
   private _choice(character: Character, index: number): HTMLElement {
