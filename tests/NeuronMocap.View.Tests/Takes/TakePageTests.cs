@@ -66,7 +66,10 @@ public sealed class TakePageTests(SharedBrowser browser)
         await page.Page.Keyboard.PressAsync("Space");
         await page.Page.Locator("[aria-label=Stop]").WaitForAsync();
         JsonElement earliest = await page.EvaluateAsync(ThreeRounds, await KeyAsync(page));
-        Assert.Equal(source.FrameCount.Value - 1 - PartLength, earliest.GetDouble() / 1000 * source.FrameRate, 0.5);
+
+        // A slow computer draws few pictures in a round, and none may be that of its begin.
+        double last = source.FrameCount.Value - 1;
+        Assert.InRange(earliest.GetDouble() / 1000 * source.FrameRate, last - PartLength - 0.5, last);
         await page.Page.Keyboard.PressAsync("Space");
         await page.Page.Locator("[aria-label=Play]").WaitForAsync();
         page.AssertClean();
