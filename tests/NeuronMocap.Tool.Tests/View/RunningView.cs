@@ -26,15 +26,13 @@ internal sealed class RunningView : IAsyncDisposable
     /// <summary>Sends the token by itself, if there is one.</summary>
     public HttpClient Client { get; } = new();
 
-    public string Output => _output.Text;
-
     public string Error => _error.ToString();
 
     public static async Task<RunningView> StartAsync(params string[] args)
     {
         var view = new RunningView(args);
         const string Start = " on http://";
-        string line = await view._output.FindAsync(static line => line.StartsWith("Viewing ", StringComparison.Ordinal), view._run);
+        string line = await view.FindLineAsync("Viewing ");
         view.Link = new Uri(line[(line.IndexOf(Start, StringComparison.Ordinal) + " on ".Length)..]);
         view.Client.BaseAddress = new Uri(view.Link, "/");
         if (view.Link.Query.Length > 0)
@@ -42,6 +40,9 @@ internal sealed class RunningView : IAsyncDisposable
 
         return view;
     }
+
+    /// <summary>Waits for a line of the output: the run writes on while a test uses it.</summary>
+    public Task<string> FindLineAsync(string start) => _output.FindAsync(line => line.StartsWith(start, StringComparison.Ordinal), _run);
 
     public async Task<JsonElement> GetAsync(string path)
     {

@@ -87,7 +87,8 @@ public sealed class ViewAccessTests
     public async Task A_proxy_shows_the_page_under_its_own_address()
     {
         await using RunningView view = await RunningView.StartAsync("demo", "--allow-origin", "https://show.example");
-        Assert.Contains($"From other computers and phones: https://show.example/{view.Link.Query}\n", view.Output, StringComparison.Ordinal);
+        const string Start = "From other computers and phones: ";
+        Assert.Equal($"{Start}https://show.example/{view.Link.Query}", await view.FindLineAsync(Start));
         Assert.Matches("^\\?token=[0-9a-f]{32}$", view.Link.Query);
         using var request = new HttpRequestMessage(HttpMethod.Get, "/api/hello");
         request.Headers.Host = "show.example";
