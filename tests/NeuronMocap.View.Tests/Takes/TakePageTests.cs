@@ -1,4 +1,5 @@
 using System.Text.Json;
+using System.Text.Json.Nodes;
 using NeuronMocap.Bvh;
 using NeuronMocap.Server;
 using NeuronMocap.Skeleton;
@@ -76,6 +77,64 @@ public sealed class TakePageTests(SharedBrowser browser)
     }
 
     [Fact]
+    public async Task A_download_holds_the_part_between_the_in_and_out_points()
+    {
+        const int From = 10, To = 20;
+        await using RunningView view = await RunningView.StartAsync("demo");
+        await using TestPage page = await TestPage.OpenAsync(browser, view.Link, 1280, 800);
+        await page.ChooseAsync(() => page.Page.Keyboard.PressAsync("o"), Walk);
+        await UntilShownAsync(page);
+        for (int i = 0; i < To; i++)
+        {
+            await page.Page.Keyboard.PressAsync(".");
+            if (i == From - 1)
+                await page.Page.Keyboard.PressAsync("[");
+        }
+
+        await page.Page.Keyboard.PressAsync("]");
+        await page.Page.GetByText("Downloads hold the part from").WaitForAsync();
+        BvhDocument part = await DownloadAsync(page), whole = BvhDocument.Load(Walk);
+        Assert.Equal(To - From, part.FrameCount);
+        Assert.Equal(whole.GetValues(From).ToArray(), part.GetValues(0).ToArray());
+
+        await page.Page.Keyboard.PressAsync("x");
+        Assert.Equal(whole.FrameCount, (await DownloadAsync(page)).FrameCount);
+        page.AssertClean();
+    }
+
+    [Fact]
+    public async Task A_recording_that_the_program_still_reads_begins_at_its_first_frame()
+    {
+        await using RunningView view = await RunningView.StartAsync("demo");
+        await using TestPage page = await TestPage.OpenAsync(browser, view.Link);
+        await page.UntilMovingAsync();
+        bool isFirst = true;
+        await page.Page.RouteAsync("**/api/takes/*", async route =>
+        {
+            if (!isFirst)
+            {
+                await route.ContinueAsync();
+                return;
+            }
+
+            // The program has found the performer, and no frame yet.
+            isFirst = false;
+            IAPIResponse answer = await route.FetchAsync();
+            JsonNode take = JsonNode.Parse(await answer.TextAsync())!;
+            JsonNode performer = take["performers"]![0]!;
+            take["progress"] = 0.5;
+            foreach (string name in (string[])["frames", "start", "end"])
+                performer[name] = 0;
+            await route.FulfillAsync(new RouteFulfillOptions { Response = answer, Body = take.ToJsonString() });
+        });
+        string path = Repository.PathOf("samples", "takes", "walk.nmrec");
+        await page.DropAsync("walk.nmrec", await File.ReadAllBytesAsync(path, TestContext.Current.CancellationToken));
+        await AssertJointsAsync(page, RecordingSource.Load(path), 0);
+        Assert.False(isFirst);
+        page.AssertClean();
+    }
+
+    [Fact]
     public async Task A_dropped_recording_is_shown_and_a_foreign_file_is_refused_in_a_sentence()
     {
         await using RunningView view = await RunningView.StartAsync("demo");
@@ -92,6 +151,13 @@ public sealed class TakePageTests(SharedBrowser browser)
         page.AssertClean(static fault => fault.Contains("Failed to load resource", StringComparison.Ordinal) && fault.Contains(" 400 ", StringComparison.Ordinal));
     }
 
+    private static async Task<BvhDocument> DownloadAsync(TestPage page)
+    {
+        IDownload download = await page.Page.RunAndWaitForDownloadAsync(
+            () => page.Page.GetByRole(AriaRole.Button, new PageGetByRoleOptions { Name = "BVH", Exact = true }).ClickAsync());
+        return BvhDocument.Load(await download.PathAsync());
+    }
+
     private static Task UntilShownAsync(TestPage page) => page.UntilAsync(
         "() => { const { mode, take, performers } = window.neuronMocap.state(); return mode === 'take' && take !== null && performers.length === 1 && performers[0].hasFigure && performers[0].poses > 0; }");
 
@@ -103,7 +169,7 @@ public sealed class TakePageTests(SharedBrowser browser)
     private static async Task AssertJointsAsync(TestPage page, MotionSource source, int frame)
     {
         string words = $"frame {frame + 1} of {source.FrameCount}";
-        await page.UntilAsync("words => document.querySelector('.readout .frame').textContent === words", words);
+        await page.UntilAsync("words => document.querySelector('.readout .frame')?.textContent === words", words);
         string key = await KeyAsync(page);
         JsonElement joints = await page.EvaluateAsync("key => new Promise(resolve => requestAnimationFrame(() => resolve(window.neuronMocap.joints(key))))", key);
         var world = new BoneTransform[BoneHierarchy.BoneCount];

@@ -1,18 +1,22 @@
-import { element } from "../page/dom";
+import { element, setText } from "../page/dom";
 import type { Page } from "../page/page";
 import { wordButton } from "../panel/buttons";
 import { downloadButtons } from "../panel/downloads";
 import { KindWords, type TakeInfo } from "./info";
+import type { Playback } from "./playback";
 import { clock } from "./ticks";
 
 /** The section of the panel about the take: what it is, what is wrong with it, downloads, and the way back to live motion. */
 export class TakeSection {
   private readonly _page: Page;
+  private readonly _playback: Playback;
   private readonly _close: () => void;
+  private readonly _part = element("small");
   private _shown = "";
 
-  constructor(page: Page, close: () => void) {
+  constructor(page: Page, playback: Playback, close: () => void) {
     this._page = page;
+    this._playback = playback;
     this._close = close;
   }
 
@@ -35,9 +39,17 @@ export class TakeSection {
     if (info.problems.length > 0)
       place.append(element("ul", { class: "problems", "aria-label": "Problems of the file" }, ...info.problems.map(text => element("li", {}, text))));
     if (info.performers.length > 0)
-      place.append(downloadButtons(this._page, info.id, info.name));
+      place.append(downloadButtons(this._page, info.id, info.name, this._playback), this._part);
+    this.showPart();
     if (this._page.connection.hello?.mode !== "take")
       place.append(element("div", { class: "buttons" }, wordButton("live", "Back to live", this._close)));
+  }
+
+  /** Says what a download holds: in and out points have changed. */
+  showPart(): void {
+    const { from, to, start, end } = this._playback;
+    this._part.hidden = from === null && to === null;
+    setText(this._part, `Downloads hold the part from ${clock(start)} to ${clock(end)}.`);
   }
 
   clear(): void {

@@ -40,7 +40,7 @@ class TakeScreen implements Takes {
     this._page = page;
     this._plot = new PlotSection(page.api, this._view, error => page.notices.problem(error.message));
     this._plot.element.hidden = matchMedia("(max-width: 40rem), (max-height: 36rem)").matches;
-    this._section = new TakeSection(page, () => this.close());
+    this._section = new TakeSection(page, this._playback, () => this.close());
     this._transport = new Transport(this._playback, {
       step: direction => this._step(direction),
       seek: time => this._seek(time),
@@ -51,6 +51,7 @@ class TakeScreen implements Takes {
     this._playback.onChange = () => {
       this._transport.refresh();
       this._timeline.draw();
+      this._section.showPart();
     };
     for (const target of [this._timeline, this._plot.plot]) {
       target.onSeek = time => this._scrub(time);
@@ -173,18 +174,22 @@ class TakeScreen implements Takes {
     if (this._player !== player)
       return;
 
-    if (!this._hasBegun && info.performers.length > 0)
+    if (!this._hasBegun)
       this._begin(info);
     this._drawLanes(info);
     this._plot.show(info);
   }
 
-  // Recordings begin before their first frame.
+  // Recordings begin before their first frame. While the server reads a file, it can know a performer and no frame.
   private _begin(info: TakeInfo): void {
+    const performers = info.performers.filter(performer => performer.frames > 0);
+    if (performers.length === 0)
+      return;
+
     this._hasBegun = true;
-    this._playback.first = Math.min(...info.performers.map(performer => performer.start));
+    this._playback.first = Math.min(...performers.map(performer => performer.start));
     this._seek(this._playback.first);
-    if (info.performers.some(performer => performer.frames > 1) && !matchMedia("(prefers-reduced-motion: reduce)").matches)
+    if (performers.some(performer => performer.frames > 1) && !matchMedia("(prefers-reduced-motion: reduce)").matches)
       this._playback.toggle();
   }
 

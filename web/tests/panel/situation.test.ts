@@ -23,6 +23,11 @@ test("every other state says something, and what to do", () => {
     assert.ok(describe(connection, "The link is old.", null, 2).advice !== "", connection);
 });
 
+test("a refusal is told once, in the words of the server", () => {
+  const situation = describe("denied", "The link is old. Open the link that the program shows.", null, 0);
+  assert.deepEqual([situation.text, situation.advice], ["", "The link is old. Open the link that the program shows."]);
+});
+
 test("the words and the advice of the server come first", () => {
   const situation = describe("open", "", status("silent", "Connected, but silent", "Check the suit."), 1);
   assert.equal(situation.title, "Connected, but silent");

@@ -38,8 +38,8 @@ internal sealed class TakeDownload(ScratchFolder scratch) : IDisposable
         {
             InputName = take.Name,
             Avatar = take.Kind is FileKind.Recording or FileKind.Raw && HasOneAvatar(kind, wanted) ? performer.AvatarIndex : null,
-            From = from < 0 ? null : from / 1e6,
-            To = to < 0 ? null : to / 1e6,
+            From = SecondsOf(from),
+            To = SecondsOf(to),
         };
         try
         {
@@ -53,6 +53,9 @@ internal sealed class TakeDownload(ScratchFolder scratch) : IDisposable
     }
 
     public void Dispose() => _turn.Dispose();
+
+    // The page knows the times of frames to a microsecond. A frame at the in point belongs to the part.
+    private static double? SecondsOf(long microseconds) => microseconds < 0 ? null : Math.Max(0, microseconds - 1) / 1e6;
 
     // Figures and tables hold all performers, unless one is chosen.
     private static bool HasOneAvatar(FileKind kind, string wanted) => kind switch

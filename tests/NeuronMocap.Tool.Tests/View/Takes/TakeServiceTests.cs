@@ -143,10 +143,13 @@ public sealed class TakeServiceTests
 
         using HttpResponseMessage same = await client.GetFileAsync("takes/t1/download?format=bvh");
         using HttpResponseMessage part = await client.GetFileAsync("takes/t1/download?format=bvh&performer=t1-0&from=500&to=1000");
+        using HttpResponseMessage between = await client.GetFileAsync("takes/t1/download?format=bvh&from=166.667&to=333.333");
         using HttpResponseMessage recording = await client.GetFileAsync("takes/t1/download?format=nmrec");
 
         Assert.Equal(await File.ReadAllBytesAsync(client.Folder["a walk.bvh"]), await same.Content.ReadAsByteArrayAsync());
         Assert.Equal(30, BvhDocument.Parse(await part.Content.ReadAsByteArrayAsync()).FrameCount);
+        // At 60 Hz, these are the times of frames 10 and 20 as the page knows them.
+        Assert.Equal(10, BvhDocument.Parse(await between.Content.ReadAsByteArrayAsync()).FrameCount);
         Assert.Equal("a walk.nmrec", recording.Content.Headers.ContentDisposition!.FileNameStar);
         string copy = client.Folder["copy.nmrec"];
         await File.WriteAllBytesAsync(copy, await recording.Content.ReadAsByteArrayAsync());
