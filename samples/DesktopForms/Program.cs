@@ -2,7 +2,7 @@
 //
 //   dotnet run --project samples/DesktopForms -f net10.0-windows                   Windows, .NET
 //   dotnet run --project samples/DesktopForms -f net472                            Windows, .NET Framework
-//   mono samples/DesktopForms/bin/Debug/net472/DesktopForms.exe                    Linux, after dotnet build
+//   mono samples/DesktopForms/bin/Release/net472/DesktopForms.exe                    Linux, after dotnet build
 //
 // An address as the argument, for example 192.168.1.20, connects immediately. The address demo is a simulator inside this program.
 // In your own project: dotnet add package NeuronMocap (and NeuronMocap.Server for the simulator).

@@ -27,7 +27,7 @@ page=$(realpath ../../docs/internals/performance.md)
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 
-build() { [ -d "$scratch/$2" ] || dotnet build -c Release -v quiet -p:LibraryFramework="$1" -o "$scratch/$2" "${@:3}" > "$scratch/log" || { cat "$scratch/log"; exit 1; }; }
+build() { [ -d "$scratch/$2" ] || dotnet build -v quiet -p:LibraryFramework="$1" -o "$scratch/$2" "${@:3}" > "$scratch/log" || { cat "$scratch/log"; exit 1; }; }
 
 if [ -n "$check" ]; then
     build net8.0 net8.0

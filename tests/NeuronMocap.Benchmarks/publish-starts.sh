@@ -5,7 +5,7 @@ out=$(realpath -m "$1")
 cd "$(dirname "$0")/../.."
 runtime=$(dotnet msbuild src/NeuronMocap.Tool -getProperty:NETCoreSdkPortableRuntimeIdentifier)
 
-publish() { dotnet publish "$1" -c Release -v quiet -p:ArtifactsPath="$out/$2.build" -p:UseArtifactsOutput=true --output "$out/$2" "${@:3}"; }
+publish() { dotnet publish "$1" -v quiet -p:ArtifactsPath="$out/$2.build" -p:UseArtifactsOutput=true --output "$out/$2" "${@:3}"; }
 
 first=tests/NeuronMocap.FirstFrame
 publish "$first" first-frame-jit
