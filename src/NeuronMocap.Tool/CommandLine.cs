@@ -96,11 +96,11 @@ internal static class CommandLine
     /// <param name="first">The first word of the command line. If it is a verb, the others are left out, because each takes time to create.</param>
     internal static RootCommand Create(StandardStreams streams, CancellationToken cancellationToken, string? first = null)
     {
-        bool isVerb = Array.Exists(Verbs, verb => verb.Name == first);
+        bool isVerb = Array.Exists(Verbs, verb => verb.Name.Equals(first, StringComparison.Ordinal));
         var root = new RootCommand(ProgramHelp.Description);
         foreach ((string name, Func<Verb> create) in Verbs)
         {
-            if (isVerb && name != first)
+            if (isVerb && !name.Equals(first, StringComparison.Ordinal))
                 continue;
 
             Verb verb = create();

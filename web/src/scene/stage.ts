@@ -46,9 +46,12 @@ export class Stage {
     this.renderer.render(this.scene, this.camera);
   }
 
-  /** Compiles the materials of an object that is not in the scene yet, outside the main thread where the browser can. */
+  /** Compiles the materials of an object that is not in the scene yet. Waits for them where the browser tells when they are ready. */
   async prepare(object: Object3D): Promise<void> {
-    await this.renderer.compileAsync(object, this.camera, this.scene);
+    if (this.renderer.extensions.has("KHR_parallel_shader_compile"))
+      await this.renderer.compileAsync(object, this.camera, this.scene);
+    else
+      this.renderer.compile(object, this.camera, this.scene);
   }
 
   /** @param pixels The most pixels for a point of the page. @param shadows Pixels of the shadows' side; 0 for none. */

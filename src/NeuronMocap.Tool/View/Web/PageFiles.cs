@@ -1,5 +1,5 @@
+using System.Buffers;
 using System.Reflection;
-using System.Text.RegularExpressions;
 using Microsoft.AspNetCore.Builder;
 using Microsoft.AspNetCore.Http;
 using Microsoft.AspNetCore.Routing;
@@ -7,7 +7,7 @@ using Microsoft.AspNetCore.Routing;
 namespace NeuronMocap.Tool.View.Web;
 
 /// <summary>The files of the page, which the build compresses and embeds into the program.</summary>
-internal static partial class PageFiles
+internal static class PageFiles
 {
     /// <summary>Builds the page, from the folder of the repository.</summary>
     public const string BuildCommand = "dotnet build src/NeuronMocap.Tool";
@@ -15,6 +15,8 @@ internal static partial class PageFiles
     private const string Folder = "web/";
     private const string Compressed = ".gz";
     private const string Start = "index.html";
+
+    private static readonly SearchValues<char> HashLetters = SearchValues.Create("ABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789");
 
     private static readonly HashSet<string> Names = [.. FindNames()];
 
@@ -56,7 +58,7 @@ internal static partial class PageFiles
 
         byte[] bytes = new byte[stream.Length];
         stream.ReadExactly(bytes);
-        return new PageFile(TypeOf(name), bytes, NameWithHash().IsMatch(name));
+        return new PageFile(TypeOf(name), bytes, HasHash(name));
     }
 
     private static IEnumerable<string> FindNames() => Assembly.GetExecutingAssembly().GetManifestResourceNames()
@@ -71,7 +73,12 @@ internal static partial class PageFiles
         _ => "text/plain; charset=utf-8",
     };
 
-    // The build gives such names to the scripts that app.js loads.
-    [GeneratedRegex("-[0-9A-Z]{8}\\.js$", RegexOptions.CultureInvariant)]
-    private static partial Regex NameWithHash();
+    // The build gives such names to the scripts that app.js loads: main-WZ3J47N5.js.
+    private static bool HasHash(string name)
+    {
+        const int Letters = 8;
+        string stem = Path.GetFileNameWithoutExtension(name);
+        return name.EndsWith(".js", StringComparison.Ordinal) && stem.Length > Letters && stem[^(Letters + 1)] == '-'
+            && !stem.AsSpan(stem.Length - Letters).ContainsAnyExcept(HashLetters);
+    }
 }
