@@ -1,8 +1,10 @@
-// Writes the page to a folder: index.html, app.js, app.css and licenses.txt. Usage: node build.mjs FOLDER
+// Writes the page to a folder: index.html, app.css, app.js with the scripts that it loads, and licenses.txt. Each file is compressed by gzip: NAME.gz.
+// Usage: node build.mjs FOLDER
 import { build } from "esbuild";
-import { copyFile, mkdir, readFile, readdir, writeFile } from "node:fs/promises";
-import { dirname, join, resolve } from "node:path";
+import { mkdir, readFile, readdir, rm, writeFile } from "node:fs/promises";
+import { basename, dirname, join, resolve } from "node:path";
 import { fileURLToPath } from "node:url";
+import { constants, gzipSync } from "node:zlib";
 
 const root = dirname(fileURLToPath(import.meta.url));
 const folder = process.argv[2];
@@ -13,21 +15,55 @@ if (!folder) {
 
 const options = {
   absWorkingDir: root,
-  entryPoints: ["src/main.ts", "src/app.css"].map(file => ({ in: file, out: "app" })),
+  entryPoints: ["src/app.ts", "src/app.css"].map(file => ({ in: file, out: "app" })),
   outdir: resolve(folder),
   bundle: true,
+  splitting: true,
+  chunkNames: "[name]-[hash]",
   format: "esm",
   target: "es2022",
   minify: true,
   legalComments: "none",
   metafile: true,
+  write: false,
   logLevel: "warning",
 };
 
+const { metafile, outputFiles } = await build(options);
+await rm(folder, { recursive: true, force: true });
 await mkdir(folder, { recursive: true });
-await copyFile(join(root, "index.html"), join(folder, "index.html"));
-const { metafile } = await build(options);
-await writeFile(join(folder, "licenses.txt"), await licences(Object.keys(metafile.inputs)));
+await save("index.html", (await readFile(join(root, "index.html"), "utf8")).replace("</head>", `${preloads(metafile)}</head>`));
+await save("licenses.txt", await licences(Object.keys(metafile.inputs)));
+for (const { path, contents } of outputFiles)
+  await save(basename(path), contents);
+
+function save(name, contents) {
+  return writeFile(join(folder, `${name}.gz`), gzipSync(contents, { level: constants.Z_BEST_COMPRESSION }));
+}
+
+// The scripts of the first picture, so that the browser asks for all of them at once.
+function preloads({ outputs }) {
+  const needed = new Set();
+  const add = path => {
+    for (const each of outputs[path].imports) {
+      if (each.kind === "import-statement" && !needed.has(each.path)) {
+        needed.add(each.path);
+        add(each.path);
+      }
+    }
+  };
+  for (const [path, { entryPoint }] of Object.entries(outputs)) {
+    if (entryPoint === "src/app.ts")
+      add(path);
+    if (entryPoint !== "src/main.ts")
+      continue;
+
+    needed.add(path);
+    add(path);
+  }
+
+  return [...needed].map(path => `  <link rel="modulepreload" href="${basename(path)}">\n`).join("");
+}
 
 // The licences of the packages from which code is in the bundle. A package without a licence file ends the build.
 async function licences(inputs) {

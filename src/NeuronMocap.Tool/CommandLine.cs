@@ -25,13 +25,29 @@ internal static class CommandLine
 
     private static readonly string[] Default = ["watch", "demo"];
 
+    // In the order of the help.
+    private static readonly (string Name, Func<Verb> Create)[] Verbs =
+    [
+        ("watch", static () => new WatchVerb()),
+        ("view", static () => new ViewVerb()),
+        ("diagnose", static () => new DiagnoseVerb()),
+        ("simulate", static () => new SimulateVerb()),
+        ("relay", static () => new RelayVerb()),
+        ("play", static () => new PlayVerb()),
+        ("info", static () => new InfoVerb()),
+        ("convert", static () => new ConvertVerb()),
+        ("plot", static () => new PlotVerb()),
+        ("command", static () => new CommandVerb()),
+        ("completion", static () => new CompletionVerb()),
+    ];
+
     public static async Task<int> RunAsync(IReadOnlyList<string> args, StandardStreams streams, CancellationToken cancellationToken)
     {
         IReadOnlyList<string> words = args.Count == 0 ? Default : args;
         ParseResult result;
         try
         {
-            result = Create(streams, cancellationToken).Parse(words, new ParserConfiguration { ResponseFileTokenReplacer = null });
+            result = Create(streams, cancellationToken, words[0]).Parse(words, new ParserConfiguration { ResponseFileTokenReplacer = null });
             bool isSuggestion = words[0].StartsWith(SuggestDirective, StringComparison.Ordinal);
             bool isHelp = result is { Action: HelpPage, UnmatchedTokens.Count: 0 };
             if (!isSuggestion && !isHelp && UsageFault.Find(result, words) is { } fault)
@@ -74,16 +90,20 @@ internal static class CommandLine
         }
     }
 
-    /// <summary>Creates the root command with all verbs.</summary>
-    internal static RootCommand Create(StandardStreams streams, CancellationToken cancellationToken)
+    /// <summary>Creates the root command.</summary>
+    /// <param name="streams">The streams of the verbs.</param>
+    /// <param name="cancellationToken">Ends the verbs.</param>
+    /// <param name="first">The first word of the command line. If it is a verb, the others are left out, because each takes time to create.</param>
+    internal static RootCommand Create(StandardStreams streams, CancellationToken cancellationToken, string? first = null)
     {
+        bool isVerb = Array.Exists(Verbs, verb => verb.Name.Equals(first, StringComparison.Ordinal));
         var root = new RootCommand(ProgramHelp.Description);
-        foreach (Verb verb in (Verb[])
-            [
-                new WatchVerb(), new ViewVerb(), new DiagnoseVerb(), new SimulateVerb(), new RelayVerb(), new PlayVerb(), new InfoVerb(), new ConvertVerb(), new PlotVerb(),
-                new CommandVerb(), new CompletionVerb(),
-            ])
+        foreach ((string name, Func<Verb> create) in Verbs)
         {
+            if (isVerb && !name.Equals(first, StringComparison.Ordinal))
+                continue;
+
+            Verb verb = create();
             verb.SetAction((result, _) => verb.RunAsync(result, streams, cancellationToken));
             root.Add(verb);
         }

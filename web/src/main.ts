@@ -1,7 +1,6 @@
 import { createCharacters } from "./characters/characters";
-import { Connection } from "./live/connection";
 import { LiveFeed } from "./live/feed";
-import { Api } from "./page/api";
+import { api, connection } from "./live/program";
 import { element } from "./page/dom";
 import { Drops } from "./page/drops";
 import { Keys } from "./page/keys";
@@ -20,15 +19,14 @@ import { connectPointer } from "./scene/pointer";
 import { Quality } from "./scene/quality";
 import { Stage } from "./scene/stage";
 import { addCameraKeys, Views } from "./scene/views";
+import { warmUp } from "./scene/warmUp";
 import { createTakes } from "./takes/takes";
 
 const slots = createSlots();
 const notices = new Notices(slots.stage.appendChild(element("div", { class: "notices", role: "status", "aria-live": "polite" })));
-const api = new Api();
 const settings = new SettingsStore();
 const stage = new Stage(slots.stage, () => loop.invalidate());
 const loop = new Loop(() => stage.draw());
-const connection = new Connection(api);
 const performers = new Performers(stage, key => api.bytes(figureAddress(key)));
 const page: Page = {
   api,
@@ -47,6 +45,7 @@ const page: Page = {
 const rig = new CameraRig(stage.camera);
 const views = new Views(rig, performers, stage);
 const quality = new Quality(stage);
+warmUp(stage);
 const labels = new Labels(slots.stage, performers, stage);
 connectPointer(stage.canvas, rig, () => settings.now.mirror, () => views.turned());
 addCameraKeys(page.keys, rig, views, settings);
@@ -87,7 +86,7 @@ settings.watch(now => {
   loop.invalidate();
 });
 installTestHook(page, connection, panel, takes, characters);
-connection.connect();
+connection.deliver();
 
 function figureAddress(key: string): string {
   const name = encodeURIComponent(key);

@@ -61,6 +61,23 @@ public sealed class CharacterPageTests(SharedBrowser browser) : IDisposable
         page.AssertClean();
     }
 
+    [Fact]
+    public async Task The_scripts_for_characters_come_with_the_first_character()
+    {
+        await WriteSamplesAsync();
+        await using RunningView view = await RunningView.StartAsync("demo");
+        await using TestPage page = await TestPage.OpenAsync(browser, view.Link);
+        await page.UntilMovingAsync();
+        Assert.Equal(0, await CountAsync());
+        await page.DropAsync("boxes-1.vrm", await File.ReadAllBytesAsync(Path.Combine(_folder.FullName, "boxes-1.vrm"), TestContext.Current.CancellationToken));
+        await UntilShownAsync(page);
+        Assert.Equal(1, await CountAsync());
+        page.AssertClean();
+
+        async Task<int> CountAsync() => (await page.EvaluateAsync(
+            "() => performance.getEntriesByType('resource').filter(each => new URL(each.name).pathname.startsWith('/load-')).length")).GetInt32();
+    }
+
     private const int Frames = 120;
 
     // The performer's limbs and the character's, within 1°. At rest, the performer's legs are 0.7° from the vertical, and the character's hang straight down.

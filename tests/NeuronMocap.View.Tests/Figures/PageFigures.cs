@@ -61,12 +61,16 @@ public sealed class PageFigures(SharedBrowser browser, ITestOutputHelper output)
         output.WriteLine(FormattableString.Invariant($"20 performers, 30 s: delay {Mean(0):0.0} ms in the first third, {Mean(10):0.0} in the second, {Mean(20):0.0} in the last, {delays.Max():0.0} at most"));
     }
 
+    // As a person has it who opens the link in a browser that runs: the empty tab is there, and nothing looks into its requests.
     [Fact(Explicit = true)]
     public async Task First_picture()
     {
-        await browser.StartAsync();
-        for (int i = 0; i < 3; i++)
+        IBrowser running = await browser.StartAsync();
+        for (int i = 0; i < 5; i++)
         {
+            await using IBrowserContext context = await running.NewContextAsync(new BrowserNewContextOptions { ViewportSize = new ViewportSize { Width = 480, Height = 400 } });
+            IPage page = await context.NewPageAsync();
+            await Task.Delay(TimeSpan.FromSeconds(3), TestContext.Current.CancellationToken);
             var watch = Stopwatch.StartNew();
             var start = new ProcessStartInfo(Path.Combine(AppContext.BaseDirectory, "neuron-mocap")) { RedirectStandardOutput = true, UseShellExecute = false };
             foreach (string argument in (string[])["view", "demo", "--port", "0"])
@@ -80,8 +84,8 @@ public sealed class PageFigures(SharedBrowser browser, ITestOutputHelper output)
                 while (line is not null && !line.Contains(" on http://", StringComparison.Ordinal));
                 Assert.NotNull(line);
                 TimeSpan listening = watch.Elapsed;
-                await using TestPage page = await TestPage.OpenAsync(browser, new Uri(line[line.IndexOf("http://", StringComparison.Ordinal)..]));
-                await page.UntilAsync("() => window.neuronMocap.stats().framesShown > 0 && window.neuronMocap.stats().pictures > 0");
+                await page.GotoAsync(line[line.IndexOf("http://", StringComparison.Ordinal)..], new PageGotoOptions { WaitUntil = WaitUntilState.Commit });
+                await page.WaitForFunctionAsync("() => window.neuronMocap?.stats().framesShown > 0 && window.neuronMocap.stats().pictures > 0");
                 output.WriteLine(FormattableString.Invariant($"first picture after {watch.Elapsed.TotalSeconds:0.00} s, the link after {listening.TotalSeconds:0.00} s"));
             }
             finally

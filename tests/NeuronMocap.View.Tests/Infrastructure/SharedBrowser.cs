@@ -19,7 +19,7 @@ public sealed class SharedBrowser : IAsyncDisposable
     {
         string? path = FindBrowser();
         Assert.SkipWhen(path is null, "There is no Chromium and no Chrome on the PATH.");
-        Assert.SkipWhen(typeof(NeuronMocap.Tool.View.ViewOptions).Assembly.GetManifestResourceInfo("web/app.js") is null, "The program is built without its page.");
+        Assert.SkipWhen(typeof(NeuronMocap.Tool.View.ViewOptions).Assembly.GetManifestResourceInfo("web/app.js.gz") is null, "The program is built without its page.");
         if (_browser is not null)
             return _browser;
 

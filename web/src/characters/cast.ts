@@ -2,7 +2,6 @@ import type { Page, Takes } from "../page/page";
 import { Character } from "./character";
 import { freeObject } from "./dispose";
 import type { CharacterFiles } from "./files";
-import { loadCharacter } from "./load";
 import { CharacterMotion } from "./motion";
 import { describeSkeleton } from "./skeleton";
 
@@ -67,6 +66,9 @@ export class Cast {
   }
 
   private async _load(files: CharacterFiles<File>): Promise<void> {
+    const { loadCharacter } = await import("./load").catch(() => {
+      throw new Error("The program does not answer. Load the page again once it runs.");
+    });
     const loaded = await loadCharacter(files);
     let character: Character;
     try {

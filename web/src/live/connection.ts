@@ -9,7 +9,7 @@ const FirstWait = 250;
 const LongestWait = 3000;
 const PingEvery = 2000;
 
-/** The socket /control. Connects again by itself, and rests while the tab is hidden. */
+/** The socket /control. Connects again by itself, and rests while the tab is hidden. It is open once the program has introduced itself. */
 export class Connection {
   readonly clock = new ServerClock();
   /** What the program said last about itself. */
@@ -23,6 +23,8 @@ export class Connection {
   private _socket: WebSocket | null = null;
   private _wait = FirstWait;
   private _attempt = 0;
+  private _asksFirst = false;
+  private _waiting: ServerMessage[] | null = [];
 
   constructor(api: Api) {
     this._api = api;
@@ -43,6 +45,14 @@ export class Connection {
     this._stateListeners.push(listener);
   }
 
+  /** Gives the listeners all messages, from the first one on. Called once, when the page is complete. */
+  deliver(): void {
+    const waiting = this._waiting ?? [];
+    this._waiting = null;
+    for (const message of waiting)
+      this._tell(message);
+  }
+
   /** Connects now, unless it is connected or the tab is hidden. */
   connect(): void {
     if (document.hidden)
@@ -54,16 +64,16 @@ export class Connection {
   private async _connect(attempt: number): Promise<void> {
     if (this._state === "hidden")
       this._setState("connecting");
-    try {
-      // A WebSocket does not say why it was refused. This request does.
-      const hello = await this._api.get<Hello>("hello");
-      if (attempt !== this._attempt)
-        return;
-
-      if (this.hello && this.hello.version !== hello.version)
-        location.reload();
-      this.hello = hello;
+    if (!this._asksFirst) {
       this._open();
+      return;
+    }
+
+    // After a failure. A WebSocket does not say why it was refused; this request does.
+    try {
+      await this._api.get<Hello>("hello");
+      if (attempt === this._attempt)
+        this._open();
     } catch (error) {
       if (attempt !== this._attempt)
         return;
@@ -78,17 +88,19 @@ export class Connection {
   private _open(): void {
     const socket = this._api.socket("control");
     this._socket = socket;
-    socket.addEventListener("open", () => {
-      this._wait = FirstWait;
-      this._setState("open");
-      this._ping();
-    });
     socket.addEventListener("message", event => this._receive(event.data as string));
     socket.addEventListener("close", () => {
       if (this._socket !== socket)
         return;
 
       this._socket = null;
+      const needsReason = !this._asksFirst && this._state === "connecting";
+      this._asksFirst = true;
+      if (needsReason) {
+        this.connect();
+        return;
+      }
+
       this._setState("gone");
       this._retry();
     });
@@ -103,7 +115,25 @@ export class Connection {
     }
 
     if (message.type === "hello")
-      this.hello = message;
+      this._greet(message);
+    if (this._waiting)
+      this._waiting.push(message);
+    else
+      this._tell(message);
+  }
+
+  // The page of another version of the program may not understand this one.
+  private _greet(hello: Hello): void {
+    if (this.hello && this.hello.version !== hello.version)
+      location.reload();
+    this.hello = hello;
+    this._asksFirst = false;
+    this._wait = FirstWait;
+    this._setState("open");
+    this._ping();
+  }
+
+  private _tell(message: ServerMessage): void {
     for (const listener of this._listeners)
       listener(message);
   }

@@ -40,6 +40,7 @@ export class LiveFeed {
       else if (message.type === "contact" && !this._paused)
         performers.get(message.key)?.setContacts(message.left, message.right);
     });
+    this._adjust();
   }
 
   /** True while a take is shown instead. */

@@ -1,5 +1,4 @@
 import { Mesh, type MeshStandardMaterial, type Object3D, SkinnedMesh, Vector3 } from "three";
-import { GLTFLoader } from "three/addons/loaders/GLTFLoader.js";
 import type { Body } from "./body";
 import type { Pose } from "../live/pose";
 import { makeRigid } from "./rigid";
@@ -15,6 +14,9 @@ export class Figure {
     const byName = new Map<string, Object3D>();
     root.traverse(node => byName.set(node.userData.name as string | undefined ?? node.name, node));
     this._bones = body.names.map(name => byName.get(name));
+    // Otherwise three.js computes the Euler angles of each new rotation, which nobody reads.
+    for (const bone of this._bones)
+      bone?.quaternion._onChange(() => {});
     root.traverse(node => {
       if (!(node instanceof Mesh))
         return;
@@ -27,7 +29,8 @@ export class Figure {
   }
 
   /** @param isRigid Draws a mesh for each bone, which suits a processor, instead of a skin, which suits a graphics card. */
-  static async load(bytes: ArrayBuffer, body: Body, isRigid = false): Promise<Figure> {
+  static async load(file: Promise<ArrayBuffer>, body: Body, isRigid = false): Promise<Figure> {
+    const [{ GLTFLoader }, bytes] = await Promise.all([import("three/addons/loaders/GLTFLoader.js"), file]);
     const { scene } = await new GLTFLoader().parseAsync(bytes, "");
     if (isRigid) {
       const skins: SkinnedMesh[] = [];

@@ -1,5 +1,6 @@
 import { WebGLRenderer } from "three";
 
+const Power = "high-performance";
 const Software = /swiftshader|llvmpipe|softpipe|software|basic render/i;
 
 export interface Graphics {
@@ -10,8 +11,13 @@ export interface Graphics {
 
 /** Creates a canvas with its renderer. Edges are smooth only where a graphics card draws them. */
 export function createGraphics(): Graphics {
-  const isSoftware = isDrawnBySoftware();
-  return { renderer: new WebGLRenderer({ alpha: false, antialias: !isSoftware, powerPreference: "high-performance" }), isSoftware };
+  // Whether edges are smooth cannot be changed later. The first canvas tells who draws, and stays if that is the processor.
+  const canvas = document.createElement("canvas");
+  const context = canvas.getContext("webgl2", { antialias: false, powerPreference: Power });
+  if (context && isDrawnBySoftware(context))
+    return { renderer: new WebGLRenderer({ canvas, context }), isSoftware: true };
+
+  return { renderer: new WebGLRenderer({ alpha: false, antialias: true, powerPreference: Power }), isSoftware: false };
 }
 
 /** Whether the name of a renderer is that of a program. */
@@ -19,14 +25,7 @@ export function isSoftwareName(name: string): boolean {
   return Software.test(name);
 }
 
-// Whether edges are smooth cannot be changed later, so another canvas answers first.
-function isDrawnBySoftware(): boolean {
-  const canvas = document.createElement("canvas");
-  canvas.width = canvas.height = 1;
-  const gl = canvas.getContext("webgl2");
-  if (!gl)
-    return false;
-
+function isDrawnBySoftware(gl: WebGL2RenderingContext): boolean {
   // Firefox warns of the extension, and does not need it.
   const name = String(gl.getParameter(gl.RENDERER));
   const details = name === "WebKit WebGL" ? gl.getExtension("WEBGL_debug_renderer_info") : null;

@@ -117,7 +117,8 @@ export class Performers {
   // The sticks stay if there is no figure.
   private async _loadFigure(performer: Performer): Promise<void> {
     try {
-      const figure = await Figure.load(await this._figureOf(performer.info.key), performer.body, this._stage.isSoftware);
+      const figure = await Figure.load(this._figureOf(performer.info.key), performer.body, this._stage.isSoftware);
+      await this._stage.prepare(figure.root);
       if (this._byKey.get(performer.info.key) === performer)
         performer.setFigure(figure);
       else

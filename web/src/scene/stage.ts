@@ -1,4 +1,4 @@
-import { Color, NeutralToneMapping, PCFShadowMap, PerspectiveCamera, Scene, type WebGLRenderer } from "three";
+import { Color, NeutralToneMapping, type Object3D, PCFShadowMap, PerspectiveCamera, Scene, type WebGLRenderer } from "three";
 import { DarkScene, LightScene } from "./colours";
 import { Floor } from "./floor";
 import { createGraphics } from "./graphics";
@@ -18,6 +18,9 @@ export class Stage {
   private readonly _place: HTMLElement;
   private readonly _changed: () => void;
   private _mostPixels = 2;
+  /** The size of the canvas on the page. Reading it from the canvas could lay out the page. */
+  width = 0;
+  height = 0;
 
   constructor(place: HTMLElement, changed: () => void) {
     this._place = place;
@@ -43,6 +46,14 @@ export class Stage {
     this.renderer.render(this.scene, this.camera);
   }
 
+  /** Compiles the materials of an object that is not in the scene yet. Waits for them where the browser tells when they are ready. */
+  async prepare(object: Object3D): Promise<void> {
+    if (this.renderer.extensions.has("KHR_parallel_shader_compile"))
+      await this.renderer.compileAsync(object, this.camera, this.scene);
+    else
+      this.renderer.compile(object, this.camera, this.scene);
+  }
+
   /** @param pixels The most pixels for a point of the page. @param shadows Pixels of the shadows' side; 0 for none. */
   setQuality(pixels: number, shadows: number): void {
     this._mostPixels = pixels;
@@ -65,6 +76,8 @@ export class Stage {
     if (width === 0 || height === 0)
       return;
 
+    this.width = width;
+    this.height = height;
     this.renderer.setPixelRatio(Math.min(this._mostPixels, devicePixelRatio));
     this.renderer.setSize(width, height);
     this.camera.aspect = width / height;

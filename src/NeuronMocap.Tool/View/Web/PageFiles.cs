@@ -1,64 +1,46 @@
+using System.Buffers;
 using System.Reflection;
-using System.Security.Cryptography;
 using Microsoft.AspNetCore.Builder;
 using Microsoft.AspNetCore.Http;
 using Microsoft.AspNetCore.Routing;
-using Microsoft.Net.Http.Headers;
 
 namespace NeuronMocap.Tool.View.Web;
 
-/// <summary>The files of the page, which the build embeds into the program.</summary>
+/// <summary>The files of the page, which the build compresses and embeds into the program.</summary>
 internal static class PageFiles
 {
     /// <summary>Builds the page, from the folder of the repository.</summary>
     public const string BuildCommand = "dotnet build src/NeuronMocap.Tool";
 
     private const string Folder = "web/";
+    private const string Compressed = ".gz";
     private const string Start = "index.html";
 
-    private static readonly (string Name, string Type)[] Files =
-    [
-        (Start, "text/html; charset=utf-8"),
-        ("app.js", "text/javascript; charset=utf-8"),
-        ("app.css", "text/css; charset=utf-8"),
-        ("licenses.txt", "text/plain; charset=utf-8"),
-    ];
+    private static readonly SearchValues<char> HashLetters = SearchValues.Create("ABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789");
+
+    private static readonly HashSet<string> Names = [.. FindNames()];
 
     /// <summary>Whether the program contains the page. A build without Node does not.</summary>
-    public static bool Exist => Read(Start) is not null;
+    public static bool Exist => Names.Contains(Start);
 
     /// <summary>Whether a path is that of a file. The files are the same for everybody, and hold nothing of the stream.</summary>
-    public static bool Contain(PathString path) => path == "/" || Array.Exists(Files, file => path == "/" + file.Name);
+    public static bool Contain(PathString path) => path == "/" || (path.Value is ['/', .. var name] && (name is Start || Names.Contains(name)));
 
     /// <summary>Serves the files, and the start page at the root.</summary>
     public static void Map(IEndpointRouteBuilder endpoints)
     {
-        foreach ((string name, string type) in Files)
-        {
-            byte[] bytes = Read(name) ?? [];
-            string tag = $"\"{System.Convert.ToHexString(SHA256.HashData(bytes)[..8])}\"";
-            RequestDelegate answer = context => bytes.Length > 0 ? SendAsync(context, bytes, type, tag) : SayMissingAsync(context);
-            endpoints.MapMethods("/" + name, ["GET", "HEAD"], answer);
-            if (name is Start)
-                endpoints.MapMethods("/", ["GET", "HEAD"], answer);
-        }
-    }
+        foreach (string name in Names)
+            MapFile("/" + name, name);
 
-    private static Task SendAsync(HttpContext context, byte[] bytes, string type, string tag)
-    {
-        context.Response.Headers.CacheControl = "no-cache";
-        context.Response.Headers.ETag = tag;
-        if (context.Request.Headers.IfNoneMatch.ToString().Equals(tag, StringComparison.Ordinal))
-        {
-            context.Response.StatusCode = StatusCodes.Status304NotModified;
-            return Task.CompletedTask;
-        }
+        MapFile("/", Start);
+        if (!Exist)
+            MapFile("/" + Start, Start);
 
-        context.Response.Headers[HeaderNames.ContentType] = type;
-        context.Response.ContentLength = bytes.Length;
-        return HttpMethods.IsHead(context.Request.Method)
-            ? Task.CompletedTask
-            : context.Response.Body.WriteAsync(bytes, context.RequestAborted).AsTask();
+        void MapFile(string path, string name)
+        {
+            var file = new Lazy<PageFile?>(() => Read(name));
+            endpoints.MapMethods(path, ["GET", "HEAD"], (RequestDelegate)(context => file.Value?.SendAsync(context) ?? SayMissingAsync(context)));
+        }
     }
 
     private static Task SayMissingAsync(HttpContext context)
@@ -68,14 +50,35 @@ internal static class PageFiles
         return context.Response.WriteAsync($"This build of the program does not contain the page. Install Node.js, then run: {BuildCommand}\n", context.RequestAborted);
     }
 
-    private static byte[]? Read(string name)
+    private static PageFile? Read(string name)
     {
-        using Stream? stream = Assembly.GetExecutingAssembly().GetManifestResourceStream(Folder + name);
+        using Stream? stream = Assembly.GetExecutingAssembly().GetManifestResourceStream(Folder + name + Compressed);
         if (stream is null)
             return null;
 
         byte[] bytes = new byte[stream.Length];
         stream.ReadExactly(bytes);
-        return bytes;
+        return new PageFile(TypeOf(name), bytes, HasHash(name));
+    }
+
+    private static IEnumerable<string> FindNames() => Assembly.GetExecutingAssembly().GetManifestResourceNames()
+        .Where(static name => name.StartsWith(Folder, StringComparison.Ordinal) && name.EndsWith(Compressed, StringComparison.Ordinal))
+        .Select(static name => name[Folder.Length..^Compressed.Length]);
+
+    private static string TypeOf(string name) => Path.GetExtension(name) switch
+    {
+        ".html" => "text/html; charset=utf-8",
+        ".js" => "text/javascript; charset=utf-8",
+        ".css" => "text/css; charset=utf-8",
+        _ => "text/plain; charset=utf-8",
+    };
+
+    // The build gives such names to the scripts that app.js loads: main-WZ3J47N5.js.
+    private static bool HasHash(string name)
+    {
+        const int Letters = 8;
+        string stem = Path.GetFileNameWithoutExtension(name);
+        return name.EndsWith(".js", StringComparison.Ordinal) && stem.Length > Letters && stem[^(Letters + 1)] == '-'
+            && !stem.AsSpan(stem.Length - Letters).ContainsAnyExcept(HashLetters);
     }
 }

@@ -1,3 +1,4 @@
+using System.IO.Compression;
 using System.Reflection;
 using System.Text.Json;
 using NeuronMocap.Tool.View.Web;
@@ -31,8 +32,8 @@ public sealed class PageSourceTests
         Assert.SkipUnless(NodeProgram.Exists, "Without Node, the program is built without the page.");
         foreach (string name in (string[])["index.html", "app.js", "app.css", "licenses.txt"])
         {
-            using Stream? file = Program.GetManifestResourceStream($"web/{name}");
-            Assert.True(file is { Length: > 100 }, $"The program does not contain {name}.");
+            using Stream? file = Program.GetManifestResourceStream($"web/{name}.gz");
+            Assert.True(file is { Length: > 50 }, $"The program does not contain {name}.");
         }
     }
 
@@ -40,9 +41,10 @@ public sealed class PageSourceTests
     public void The_licences_of_the_packages_in_the_page_are_in_the_program()
     {
         Assert.SkipUnless(NodeProgram.Exists, "Without Node, the program is built without the page.");
-        using var reader = new StreamReader(Program.GetManifestResourceStream("web/licenses.txt")!);
+        using var reader = new StreamReader(new GZipStream(Program.GetManifestResourceStream("web/licenses.txt.gz")!, CompressionMode.Decompress));
         string licences = reader.ReadToEnd();
         Assert.Contains("three 0.", licences, StringComparison.Ordinal);
+        Assert.Contains("@pixiv/three-vrm 3.", licences, StringComparison.Ordinal);
         Assert.Contains("The MIT License", licences, StringComparison.Ordinal);
     }
 

@@ -1,0 +1,94 @@
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import { Connection } from "../../src/live/connection";
+import type { ServerMessage } from "../../src/live/messages";
+import { type Api, ApiError } from "../../src/page/api";
+
+class FakeSocket extends EventTarget {
+  readonly readyState = 1;
+
+  send(): void {}
+
+  close(): void {}
+
+  say(message: ServerMessage): void {
+    this.dispatchEvent(new MessageEvent("message", { data: JSON.stringify(message) }));
+  }
+}
+
+const hello: ServerMessage = { type: "hello", name: "", version: "1", mode: "live", source: "", canCommand: false, performers: [] };
+
+// A connection whose program is the test. `reason` answers the request that says why a socket was refused.
+function createConnection(reason: () => Promise<unknown>) {
+  const sockets: FakeSocket[] = [];
+  const asked: string[] = [];
+  const page = globalThis as Record<string, unknown>;
+  page.document = { hidden: false, addEventListener: () => {} };
+  page.addEventListener = () => {};
+  page.setInterval = () => 0;
+  page.setTimeout = () => 0;
+  page.WebSocket = FakeSocket;
+  const api = {
+    socket: () => sockets[sockets.push(new FakeSocket()) - 1],
+    get: (path: string) => {
+      asked.push(path);
+      return reason();
+    },
+  };
+  return { connection: new Connection(api as unknown as Api), sockets, asked };
+}
+
+const settle = () => new Promise(resolve => setImmediate(resolve));
+
+test("the first connection needs no request, and is open when the program has introduced itself", () => {
+  const { connection, sockets, asked } = createConnection(() => Promise.resolve());
+  connection.connect();
+  assert.equal(sockets.length, 1);
+  assert.equal(connection.state, "connecting");
+  sockets[0].say(hello);
+  assert.equal(connection.state, "open");
+  assert.deepEqual(asked, []);
+});
+
+test("messages that come before the page is complete wait for it", () => {
+  const { connection, sockets } = createConnection(() => Promise.resolve());
+  const heard: string[] = [];
+  connection.connect();
+  sockets[0].say(hello);
+  sockets[0].say({ type: "gone", key: "0-1" });
+  connection.onMessage(message => heard.push(message.type));
+  assert.deepEqual(heard, []);
+  connection.deliver();
+  sockets[0].say({ type: "problem", text: "" });
+  assert.deepEqual(heard, ["hello", "gone", "problem"]);
+});
+
+test("a refused connection asks for the reason at once", async () => {
+  const { connection, sockets, asked } = createConnection(() => Promise.reject(new ApiError(401, "Open the link.")));
+  connection.connect();
+  sockets[0].dispatchEvent(new Event("close"));
+  await settle();
+  assert.deepEqual(asked, ["hello"]);
+  assert.equal(connection.state, "denied");
+  assert.equal(connection.refusal, "Open the link.");
+  assert.equal(sockets.length, 1);
+});
+
+test("after a failure, a request goes before each socket", async () => {
+  const { connection, sockets, asked } = createConnection(() => Promise.resolve());
+  connection.connect();
+  sockets[0].say(hello);
+  sockets[0].dispatchEvent(new Event("close"));
+  assert.equal(connection.state, "gone");
+  connection.connect();
+  assert.equal(sockets.length, 1);
+  await settle();
+  assert.deepEqual(asked, ["hello"]);
+  assert.equal(sockets.length, 2);
+
+  // Refused although the request was answered: the page waits before it tries again.
+  sockets[1].dispatchEvent(new Event("close"));
+  await settle();
+  assert.equal(connection.state, "gone");
+  assert.equal(sockets.length, 2);
+});
