@@ -1,3 +1,4 @@
+import type { Hello } from "../live/messages";
 import { ApiError } from "../page/api";
 import type { Page, Takes } from "../page/page";
 import type { TakeContacts, TakeInfo } from "./info";
@@ -11,6 +12,7 @@ import { Transport } from "./transport";
 
 const Endings = [".bvh", ".nmrec", ".calc", ".bin", ".dat"];
 const AskAgain = 500;
+const NotFound = 404;
 const ReadoutEvery = 66;
 // That of --upload-limit, in bytes.
 const Megabyte = 1024 * 1024;
@@ -61,6 +63,10 @@ class TakeScreen implements Takes {
     this._timeline.element.addEventListener("keydown", event => this._onSliderKey(event));
     new MutationObserver(() => this._redraw()).observe(document.documentElement, { attributeFilter: ["data-theme"] });
     page.loop.add("motion", (now, step) => this._onPicture(now, step));
+    page.connection.onMessage(message => {
+      if (message.type === "hello")
+        void page.notices.attempt(() => this._check(message));
+    });
     page.drops.add({
       what: "takes (BVH, .nmrec, .calc)",
       endings: Endings,
@@ -136,6 +142,26 @@ class TakeScreen implements Takes {
       await this.open(id);
     });
     progress.end();
+  }
+
+  // A program that was started again has none of the takes that were open.
+  private async _check(hello: Hello): Promise<void> {
+    const player = this._player;
+    if (this._current === null || this._current === hello.take)
+      return;
+
+    try {
+      await this._page.api.get<TakeInfo>(`takes/${encodeURIComponent(this._current)}`);
+    } catch (error) {
+      if (this._player !== player || !(error instanceof ApiError) || error.status !== NotFound)
+        return;
+
+      this._page.notices.problem(error.message);
+      if (hello.mode === "take" && hello.take)
+        await this.open(hello.take);
+      else
+        this.close();
+    }
   }
 
   // Asks again while the server reads the file, and while it does not answer.
