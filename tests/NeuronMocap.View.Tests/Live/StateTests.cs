@@ -74,7 +74,7 @@ public sealed class StateTests(SharedBrowser browser)
         await page.UntilAsync("() => window.neuronMocap.state().connection === 'denied'");
         ILocator reasons = page.Page.GetByText(reason);
         await page.Page.Locator(".overlay").GetByText(reason).WaitForAsync();
-        await page.Page.Locator(".overlay").GetByText("Open the link that neuron-mocap view shows in its terminal.").WaitForAsync();
+        await page.Page.Locator(".overlay").GetByText("Open the link that neuron-mocap view shows in its terminal").WaitForAsync();
         int shown = 0;
         foreach (ILocator one in await reasons.AllAsync())
             shown += await one.IsVisibleAsync() ? 1 : 0;

@@ -14,6 +14,7 @@ internal sealed class RecordFile : IDisposable
     private int _used;
     private long _written;
     private long _count;
+    private bool _isFull;
 
     /// <summary>Creates an empty file.</summary>
     /// <param name="folder">An existing folder.</param>
@@ -33,9 +34,10 @@ internal sealed class RecordFile : IDisposable
     public long Count => Volatile.Read(ref _count);
 
     /// <summary>Appends a record, which can be read after the next <see cref="Flush"/>, or once enough others follow.</summary>
-    /// <exception cref="IOException">The disk is full or fails.</exception>
+    /// <exception cref="IOException">The disk is full or fails. The message is a sentence. Later records do not fit either.</exception>
     public void Append(ReadOnlySpan<byte> record)
     {
+        ThrowIfFull();
         record[..RecordSize].CopyTo(_buffer.AsSpan(_used));
         _used += RecordSize;
         if (_used == _buffer.Length)
@@ -43,12 +45,23 @@ internal sealed class RecordFile : IDisposable
     }
 
     /// <summary>Makes all records readable.</summary>
+    /// <exception cref="IOException">The disk is full or fails. The message is a sentence.</exception>
     public void Flush()
     {
         if (_used == 0)
             return;
 
-        RandomAccess.Write(_file, _buffer.AsSpan(0, _used), _written);
+        ThrowIfFull();
+        try
+        {
+            RandomAccess.Write(_file, _buffer.AsSpan(0, _used), _written);
+        }
+        catch (Exception exception) when (ScratchFolder.IsOfDisk(exception))
+        {
+            _isFull = true;
+            ThrowIfFull();
+        }
+
         _written += _used;
         _used = 0;
         Volatile.Write(ref _count, _written / RecordSize);
@@ -78,4 +91,10 @@ internal sealed class RecordFile : IDisposable
     }
 
     public void Dispose() => _file.Dispose();
+
+    private void ThrowIfFull()
+    {
+        if (_isFull)
+            throw new IOException("The temporary folder of the program has no room for the rest of the take.");
+    }
 }

@@ -89,9 +89,14 @@ internal sealed class TakeReading(Take take, string folder)
             if (take.Problems.IsEmpty && take.Duration == TimeSpan.Zero && take.Performers.All(static performer => performer.Frames == 0))
                 take.AddProblem("The file holds no frames.");
         }
-        catch (Exception exception) when (exception is IOException or ObjectDisposedException)
+        catch (IOException exception)
         {
-            take.AddProblem("The temporary folder does not accept more data.");
+            if (!take.Problems.Contains(exception.Message, StringComparer.Ordinal))
+                take.AddProblem(exception.Message);
+        }
+        catch (ObjectDisposedException)
+        {
+            // The take was closed.
         }
 
         take.Report(1);
