@@ -1,6 +1,7 @@
 import type { Hello } from "../live/messages";
 import { ApiError } from "../page/api";
 import type { Page, Takes } from "../page/page";
+import { findTakes, TakeEndings } from "./files";
 import type { TakeContacts, TakeInfo } from "./info";
 import { Playback } from "./playback";
 import { PlotSection } from "./plotSection";
@@ -10,7 +11,6 @@ import { Timeline } from "./timeline";
 import { TimeView } from "./timeView";
 import { Transport } from "./transport";
 
-const Endings = [".bvh", ".nmrec", ".calc", ".bin", ".dat"];
 const AskAgain = 500;
 const NotFound = 404;
 const ReadoutEvery = 66;
@@ -69,9 +69,14 @@ class TakeScreen implements Takes {
     });
     page.drops.add({
       what: "takes (BVH, .nmrec, .calc)",
-      endings: Endings,
-      accepts: files => findTake(files) !== undefined,
-      take: files => void this._upload(findTake(files)!),
+      endings: TakeEndings,
+      accepts: files => findTakes(files).length > 0,
+      take: files => {
+        const [first, ...others] = findTakes(files);
+        if (others.length > 0)
+          page.notices.say(`The page shows one take at a time. It opens ${first.name}.`);
+        void this._upload(first);
+      },
     });
   }
 
@@ -308,12 +313,4 @@ class TakeScreen implements Takes {
     this._timeline.draw();
     this._plot.plot.draw();
   }
-}
-
-// The server decides by the contents. Files with a character among them are not for it.
-function findTake(files: readonly File[]): File | undefined {
-  if (files.some(file => /\.(vrm|glb|gltf|fbx)$/i.test(file.name)))
-    return undefined;
-
-  return files.find(file => Endings.some(ending => file.name.toLowerCase().endsWith(ending))) ?? (files.length === 1 ? files[0] : undefined);
 }

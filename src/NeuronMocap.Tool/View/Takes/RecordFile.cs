@@ -14,7 +14,7 @@ internal sealed class RecordFile : IDisposable
     private int _used;
     private long _written;
     private long _count;
-    private bool _isFull;
+    private volatile bool _isFull;
 
     /// <summary>Creates an empty file.</summary>
     /// <param name="folder">An existing folder.</param>
@@ -58,7 +58,9 @@ internal sealed class RecordFile : IDisposable
         }
         catch (Exception exception) when (ScratchFolder.IsOfDisk(exception))
         {
+            // What has no room stays in the buffer, which does not change any more.
             _isFull = true;
+            Volatile.Write(ref _count, (_written + _used) / RecordSize);
             ThrowIfFull();
         }
 
@@ -79,7 +81,14 @@ internal sealed class RecordFile : IDisposable
         long offset = first * RecordSize;
         while (!rest.IsEmpty)
         {
-            int count = RandomAccess.Read(_file, rest, offset);
+            if (_isFull && offset >= _written)
+            {
+                _buffer.AsSpan((int)(offset - _written), rest.Length).CopyTo(rest);
+                break;
+            }
+
+            int here = _isFull ? (int)Math.Min(rest.Length, _written - offset) : rest.Length;
+            int count = RandomAccess.Read(_file, rest[..here], offset);
             if (count == 0)
                 throw new IOException("A temporary file of the take was cut off.");
 
@@ -90,11 +99,13 @@ internal sealed class RecordFile : IDisposable
         return wanted;
     }
 
-    public void Dispose() => _file.Dispose();
-
-    private void ThrowIfFull()
+    /// <summary>Checks that more records fit, as far as that is known.</summary>
+    /// <exception cref="IOException">They do not. The message is a sentence.</exception>
+    public void ThrowIfFull()
     {
         if (_isFull)
             throw new IOException("The temporary folder of the program has no room for the rest of the take.");
     }
+
+    public void Dispose() => _file.Dispose();
 }

@@ -78,16 +78,23 @@ internal sealed class TakeReading(Take take, string folder)
 
     private void Complete()
     {
+        foreach (PerformerWriter writer in _writers)
+        {
+            Finish(writer);
+            Describe(writer);
+        }
+
+        if (take.Problems.IsEmpty && take.Duration == TimeSpan.Zero && take.Performers.All(static performer => performer.Frames == 0))
+            take.AddProblem("The file holds no frames.");
+
+        take.Report(1);
+    }
+
+    private void Finish(PerformerWriter writer)
+    {
         try
         {
-            foreach (PerformerWriter writer in _writers)
-            {
-                writer.Finish();
-                Describe(writer);
-            }
-
-            if (take.Problems.IsEmpty && take.Duration == TimeSpan.Zero && take.Performers.All(static performer => performer.Frames == 0))
-                take.AddProblem("The file holds no frames.");
+            writer.Finish();
         }
         catch (IOException exception)
         {
@@ -98,8 +105,6 @@ internal sealed class TakeReading(Take take, string folder)
         {
             // The take was closed.
         }
-
-        take.Report(1);
     }
 
     private void Describe(PerformerWriter writer)

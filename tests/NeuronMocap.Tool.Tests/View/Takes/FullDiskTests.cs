@@ -2,6 +2,7 @@ using System.Diagnostics;
 using System.Globalization;
 using System.Net;
 using System.Text.Json;
+using NeuronMocap.Skeleton;
 using NeuronMocap.Tool.Tests.Files;
 using NeuronMocap.Tool.Tests.Infrastructure;
 
@@ -33,7 +34,14 @@ public sealed class FullDiskTests : IDisposable
         JsonElement take = await WaitAsync(client, id);
 
         Assert.Equal("The temporary folder of the program has no room for the rest of the take.", Assert.Single(take.GetProperty("problems").EnumerateArray()).GetString());
-        Assert.InRange(take.GetProperty("performers")[0].GetProperty("frames").GetInt64(), 1, 1999);
+        long frames = take.GetProperty("performers")[0].GetProperty("frames").GetInt64();
+        Assert.InRange(frames, 1, 1999);
+
+        // All that was read can be seen, to the end of the time line.
+        byte[] last = await client.GetByteArrayAsync($"api/takes/{id}/poses?from={frames - 1}&count=9", token).Soon();
+        Assert.True(CompactPose.TryDecode(last.AsSpan(sizeof(uint)), out CompactPoseHeader header, new BoneTransform[BoneHierarchy.BoneCount]));
+        Assert.Equal((frames - 1) / 60.0, (header.Time - DateTimeOffset.UnixEpoch).TotalSeconds, 1e-5);
+        Assert.Equal((frames - 1) / 0.06, take.GetProperty("duration").GetDouble(), 0.01);
 
         using HttpResponseMessage refused = await PostAsync(client, _folder["long.bvh"]);
         Assert.Equal(HttpStatusCode.InsufficientStorage, refused.StatusCode);
