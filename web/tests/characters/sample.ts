@@ -78,9 +78,8 @@ export function makeSample(options: SampleOptions): SampleFile {
     })).map(node => node.children.length > 0 ? node : { ...node, children: undefined }),
     { name: "Armature", scale: Array(3).fill(options.scale ?? 1), ...(options.zUp ? { rotation: Upright.toArray() } : {}), children: [0] },
     { name: "Body", mesh: 0, skin: 0 },
-    ...(options.rich ? [{ name: "Hat", mesh: 1, skin: 1 }] : []),
+    ...(options.rich ? [{ name: "Clothes", mesh: 1, skin: 1 }] : []),
   ];
-  const hat = joints.findIndex(joint => joint.name === "head");
   const extensions = options.vrm === "1" ? vrm1(joints) : options.vrm === "0" ? vrm0(joints) : undefined;
   return {
     json: {
@@ -90,7 +89,7 @@ export function makeSample(options: SampleOptions): SampleFile {
       nodes,
       skins: [
         { joints: joints.map((_, i) => i), inverseBindMatrices: mesh.inverses, skeleton: 0 },
-        ...(options.rich ? [{ joints: [hat], inverseBindMatrices: bytes.add(new Float32Array(inverseOf(joints[hat], options)), "MAT4") }] : []),
+        ...(options.rich ? [{ joints: joints.map((_, i) => i), inverseBindMatrices: mesh.inverses }] : []),
       ],
       meshes: [
         { primitives: [options.rich ? { ...mesh.primitive, targets: [{ POSITION: mesh.primitive.attributes.NORMAL }] } : mesh.primitive] },
