@@ -1,4 +1,3 @@
-using System.Diagnostics;
 using NeuronMocap.Tool.Tests.View;
 using NeuronMocap.View.Tests.Infrastructure;
 
