@@ -23,6 +23,7 @@ const save = (name, bytes) => writeFile(join(folder, name), typeof bytes === "st
 await save("boxes-1.vrm", toGlb(makeSample({ vrm: "1", twisted: true, picture })));
 await save("boxes-0.vrm", toGlb(makeSample({ vrm: "0", twisted: true, picture })));
 await save("boxes-mixamo.glb", toGlb(makeSample({ vrm: null, nameOf: mixamoName, twisted: true, lowered: 45, scale: 0.01, picture })));
+await save("boxes-z-up.glb", toGlb(makeSample({ vrm: null, nameOf: mixamoName, scale: 0.01, zUp: true, rich: true, twisted: true, picture })));
 const { json, binary } = makeSample({ vrm: null, nameOf: mixamoName });
 json.buffers[0].uri = "boxes.bin";
 json.materials[0].pbrMetallicRoughness.baseColorTexture = { index: 0 };

@@ -12,10 +12,15 @@ internal static class AccessToken
 
     public static bool IsIn(HttpRequest request, string token)
     {
-        string header = request.Headers[HeaderNames.Authorization].ToString();
-        string given = header.StartsWith(Bearer, StringComparison.OrdinalIgnoreCase) ? header[Bearer.Length..].Trim() : request.Query["token"].ToString();
-
         // Takes the same time for every word, so the time tells nothing of the right one.
-        return CryptographicOperations.FixedTimeEquals(SHA256.HashData(Encoding.UTF8.GetBytes(given)), SHA256.HashData(Encoding.UTF8.GetBytes(token)));
+        return CryptographicOperations.FixedTimeEquals(SHA256.HashData(Encoding.UTF8.GetBytes(Find(request))), SHA256.HashData(Encoding.UTF8.GetBytes(token)));
+    }
+
+    public static bool IsGiven(HttpRequest request) => Find(request).Length > 0;
+
+    private static string Find(HttpRequest request)
+    {
+        string header = request.Headers[HeaderNames.Authorization].ToString();
+        return header.StartsWith(Bearer, StringComparison.OrdinalIgnoreCase) ? header[Bearer.Length..].Trim() : request.Query["token"].ToString();
     }
 }

@@ -44,16 +44,16 @@ internal static class CalculationRows
 
     /// <summary>Loads the rows of an avatar whose stream has no poses. Null if it has poses or no calculation frames.</summary>
     public static (CalculationDocument Document, string AvatarName)? TryLoad(
-        FileSettings settings, IProgress<double> progress, CancellationToken cancellationToken)
+        FileSettings settings, TimeRange range, IProgress<double> progress, CancellationToken cancellationToken)
     {
-        if (Survey(settings, default, progress, cancellationToken) is not { HasPoses: false } found)
+        if (Survey(settings, range, progress, cancellationToken) is not { HasPoses: false } found)
             return null;
 
         double rate = settings.InputRate ?? found.Times.Rate ?? CalculationReadOptions.DefaultFrameRate;
         using var text = new MemoryStream();
         using (var writer = new CalculationFileWriter(text, found.ValueCount, leaveOpen: true))
         {
-            foreach (CalculationFrame frame in Read(settings, default, found.Avatar, progress, cancellationToken))
+            foreach (CalculationFrame frame in Read(settings, range, found.Avatar, progress, cancellationToken))
             {
                 if (frame.Values.Length == writer.ValueCount)
                     writer.WriteFrame(frame.Values);

@@ -76,7 +76,7 @@ internal sealed class ConvertTool(FileSettings settings, StandardStreams streams
     {
         InputTake take = InputTake.Load(settings, from, progress, cancellationToken);
         RotationOrder order = settings.OutputOrder ?? take.Order;
-        MotionSource motion = _range.IsAll && settings.FrameRate is null ? take.Motion : new TakePart(take.Motion, _range, settings.FrameRate);
+        MotionSource motion = take.Range.IsAll && settings.FrameRate is null ? take.Motion : new TakePart(take.Motion, take.Range, settings.FrameRate);
         switch (to)
         {
             case FileKind.Bvh:
@@ -98,7 +98,7 @@ internal sealed class ConvertTool(FileSettings settings, StandardStreams streams
                 break;
         }
 
-        TakeWarnings.Add(_summary, settings, take, motion, _range, cancellationToken);
+        TakeWarnings.Add(_summary, settings, take, motion, cancellationToken);
     }
 
     private void AddLossOfRaw(FileKind to)

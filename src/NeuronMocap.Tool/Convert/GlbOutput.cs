@@ -14,7 +14,7 @@ internal sealed class GlbOutput(
 {
     private readonly List<GlbAvatar> _avatars = [];
     private readonly BoneTransform[] _pose = new BoneTransform[BoneHierarchy.BoneCount];
-    private TimeSpan _end;
+    private TakeClock? _clock;
     private TimeSpan _length;
 
     /// <summary>Writes the file.</summary>
@@ -33,8 +33,6 @@ internal sealed class GlbOutput(
         try
         {
             AddAvatars(from, glb);
-            if (summary.Frames == 0)
-                throw new NeuronException(Quantity.Format($"No frames remain: the take ends at {_end.TotalSeconds:0.###} s."));
         }
         catch
         {
@@ -49,22 +47,25 @@ internal sealed class GlbOutput(
 
     private void AddAvatars(FileKind from, GlbWriter glb)
     {
-        StreamStarts? starts = from is FileKind.Recording or FileKind.Raw ? StreamStarts.Read(settings, progress, cancellationToken) : null;
-        if (starts is null || starts.Avatars.Count == 0)
+        StreamStarts? starts = from is FileKind.Recording or FileKind.Raw ? StreamStarts.Read(settings, range, progress, cancellationToken) : null;
+        if (starts is not { HasPoses: true })
         {
             InputTake take = InputTake.Load(settings, from, progress, cancellationToken);
-            Add(glb, take.Motion, take.AvatarName, 0, new TakeClock(take.Motion, TimeSpan.Zero));
+            Add(glb, take.Motion, take.AvatarName, 0, take.Range, static _ => TimeSpan.Zero);
             TakeWarnings.AddInput(summary, settings, take);
             return;
         }
 
-        foreach ((int avatar, TimeSpan start) in starts.Avatars)
+        if (starts.Avatars.Count == 0)
+            throw new NeuronException(Quantity.Format($"No frames remain: the take ends at {starts.Duration.TotalSeconds:0.###} s."));
+
+        foreach (int avatar in starts.Avatars.Keys)
         {
             RecordingSource source = RecordingSource.Load(settings.Input, avatar, settings.Playback, progress, cancellationToken);
             // Avatars of a server move at the same instants, although their frames arrive one after the other.
-            var clock = new TakeClock(source, FrameTimes.Of((long)Math.Round((start - starts.First).TotalSeconds * source.FrameRate), source.FrameRate));
-            Add(glb, source, source.AvatarName, avatar, clock);
-            AddStreamWarnings(source);
+            Add(glb, source, source.AvatarName, avatar, range, first =>
+                FrameTimes.Of(Math.Max((long)Math.Round((source.GetTime(first) - starts.First).TotalSeconds * source.FrameRate), 0), source.FrameRate));
+            AddStreamWarnings(source, range);
         }
 
         StreamWarnings.AddRest(
@@ -72,29 +73,25 @@ internal sealed class GlbOutput(
         summary.AddLoss("times of arrival");
     }
 
-    private void Add(GlbWriter glb, MotionSource source, string name, int number, TakeClock clock)
+    private void Add(GlbWriter glb, MotionSource source, string name, int number, TimeRange part, Func<long, TimeSpan> startOf)
     {
+        (long begin, long count) = part.FramesOf(source);
         var offsets = new Vector3[BoneHierarchy.BoneCount];
         var endSites = new Vector3[BoneHierarchy.BoneCount];
         source.GetBody(offsets, endSites);
         GlbAvatar avatar = glb.AddAvatar(name, new SkeletonBody(offsets, endSites, source.Variant), FigureColors.GetAccent(number));
         _avatars.Add(avatar);
-        long count = source.FrameCount!.Value;
-        TimeSpan? first = null;
+        var clock = new TakeClock(source, begin, startOf(begin), _clock);
+        _clock ??= clock;
         var step = FrameTimes.Of(1, source.FrameRate);
-        for (long frame = 0; frame < count; frame++)
+        for (long i = 0; i < count; i++)
         {
             cancellationToken.ThrowIfCancellationRequested();
-            progress.Report((double)frame / count);
-            TimeSpan time = clock.TimeOf(frame);
-            _end = time + step > _end ? time + step : _end;
-            if (!range.Contains(time))
-                continue;
-
-            source.GetPose(frame, _pose);
-            avatar.WriteFrame(time - range.Start, _pose);
-            first ??= time;
-            _length = time + step - first.Value > _length ? time + step - first.Value : _length;
+            progress.Report((double)i / count);
+            source.GetPose(begin + i, _pose);
+            TimeSpan time = clock.TimeOf(begin + i);
+            avatar.WriteFrame(time, _pose);
+            _length = time + step > _length ? time + step : _length;
         }
 
         summary.Frames += settings.FrameRate is null ? avatar.FrameCount : avatar.Animation.Times.Count;
@@ -102,9 +99,10 @@ internal sealed class GlbOutput(
         summary.FrameRate = _avatars.Count == 1 || summary.FrameRate == rate ? rate : null;
     }
 
-    private void AddStreamWarnings(RecordingSource source)
+    private void AddStreamWarnings(RecordingSource source, TimeRange part)
     {
-        foreach (RecordedGap gap in source.Gaps)
+        (long first, long count) = part.FramesOf(source);
+        foreach (RecordedGap gap in source.Gaps.Where(gap => gap.Frame > first && gap.Frame < first + count))
         {
             summary.Gaps++;
             summary.MissingFrames += gap.Missing ?? 0;

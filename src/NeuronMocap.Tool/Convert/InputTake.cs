@@ -21,15 +21,22 @@ internal sealed record InputTake(MotionSource Motion, ChannelLayout Layout, Rota
     /// <summary>The rows, if the file is calculation data.</summary>
     public CalculationDocument? Calculation { get; init; }
 
+    /// <summary>The requested part of the motion. Rows of a stream outside the part are not loaded, so nothing has to be cut.</summary>
+    public TimeRange Range { get; init; }
+
     /// <summary>Loads a file.</summary>
     /// <exception cref="NeuronException">The file has no pose of the 59 bones.</exception>
     /// <exception cref="IOException">The file cannot be read.</exception>
-    public static InputTake Load(FileSettings settings, FileKind kind, IProgress<double> progress, CancellationToken cancellationToken) => kind switch
+    public static InputTake Load(FileSettings settings, FileKind kind, IProgress<double> progress, CancellationToken cancellationToken)
     {
-        FileKind.Bvh => Of(BvhFile.Load(settings.Input, progress, cancellationToken)),
-        FileKind.Calculation => Of(CalculationDocument.Load(settings.Input, settings.ReadCalculation(progress, cancellationToken)), UsualName),
-        _ => OfStream(settings, progress, cancellationToken),
-    };
+        var range = new TimeRange(settings.From, settings.To);
+        return kind switch
+        {
+            FileKind.Bvh => Of(BvhFile.Load(settings.Input, progress, cancellationToken)) with { Range = range },
+            FileKind.Calculation => Of(CalculationDocument.Load(settings.Input, settings.ReadCalculation(progress, cancellationToken)), UsualName) with { Range = range },
+            _ => OfStream(settings, range, progress, cancellationToken),
+        };
+    }
 
     public static InputTake Of(BvhDocument document)
     {
@@ -41,12 +48,12 @@ internal sealed record InputTake(MotionSource Motion, ChannelLayout Layout, Rota
     private static InputTake Of(CalculationDocument document, string avatarName) =>
         new(new CalculationSource(document), new ChannelLayout(hasDisplacement: true, hasReference: false), RotationOrder.YXZ, avatarName) { Calculation = document };
 
-    private static InputTake OfStream(FileSettings settings, IProgress<double> progress, CancellationToken cancellationToken)
+    private static InputTake OfStream(FileSettings settings, TimeRange range, IProgress<double> progress, CancellationToken cancellationToken)
     {
-        if (CalculationRows.TryLoad(settings, progress, cancellationToken) is { } calculation)
+        if (CalculationRows.TryLoad(settings, range, progress, cancellationToken) is { } calculation)
             return Of(calculation.Document, calculation.AvatarName);
 
         RecordingSource source = RecordingSource.Load(settings.Input, settings.Avatar, settings.Playback, progress, cancellationToken);
-        return new InputTake(source, source.Layout, source.Format.RotationOrder, source.AvatarName);
+        return new InputTake(source, source.Layout, source.Format.RotationOrder, source.AvatarName) { Range = range };
     }
 }

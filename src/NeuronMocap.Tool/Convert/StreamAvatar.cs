@@ -4,19 +4,28 @@ using NeuronMocap.Timing;
 
 namespace NeuronMocap.Tool.Convert;
 
-/// <summary>An avatar of a stream, with its rate and its gaps. Its memory does not grow with the frames.</summary>
-/// <param name="name">Its name in its first frame.</param>
-/// <param name="body">The body that gives positions that its frames lack.</param>
-internal sealed class StreamAvatar(string name, SkeletonBody body)
+/// <summary>An avatar of a stream, with its rate, its gaps and its pauses. Its memory does not grow with the frames.</summary>
+internal sealed class StreamAvatar
 {
     private readonly FrameTiming _timing = new();
     private readonly IndexTracker _indices = new();
+    private readonly PauseFinder _pauses;
     private int? _connection;
     private uint? _lastIndex;
+    private long _frames;
+    private long _place;
 
-    public string Name => name;
+    public StreamAvatar(string name, SkeletonBody body)
+    {
+        (Name, Body) = (name, body);
+        _pauses = new PauseFinder(() => Rate * Step);
+    }
 
-    public SkeletonBody Body => body;
+    /// <summary>Its name in its first frame.</summary>
+    public string Name { get; }
+
+    /// <summary>The body that gives positions that its frames lack.</summary>
+    public SkeletonBody Body { get; }
 
     /// <summary>Frames per second; null if the times do not give a rate.</summary>
     public double? Rate => _timing.Rate;
@@ -35,9 +44,18 @@ internal sealed class StreamAvatar(string name, SkeletonBody body)
 
     private long Reconnections { get; set; }
 
+    /// <summary>Gets the pauses after which the server continued its numbers. No frame may follow.</summary>
+    public IReadOnlyList<Pause> GetPauses()
+    {
+        _pauses.Finish();
+        return _pauses.Pauses;
+    }
+
     public void Add(uint? index, TimeSpan time, int connection)
     {
         _timing.Add(index, time, connection);
+        uint? newest = _indices.Newest;
+        IndexChange change = IndexChange.None;
         if (_connection is { } last && connection != last)
         {
             Reconnections++;
@@ -45,9 +63,15 @@ internal sealed class StreamAvatar(string name, SkeletonBody body)
         }
         else
         {
-            _indices.OnIndex(index);
+            change = _indices.OnIndex(index);
         }
 
+        if (change is not (IndexChange.Ahead or IndexChange.Late or IndexChange.Same))
+            _pauses.Start();
+        if (change is not (IndexChange.Late or IndexChange.Same) && index is not null)
+            _pauses.Add(_frames, _place += change == IndexChange.Ahead ? index.Value - newest!.Value : 0, time);
+
+        _frames++;
         IsNumbered |= index is not null && _lastIndex is not null && index != _lastIndex;
         (_lastIndex, _connection) = (index, connection);
     }

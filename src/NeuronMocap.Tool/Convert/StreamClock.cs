@@ -7,7 +7,7 @@ namespace NeuronMocap.Tool.Convert;
 /// </summary>
 /// <remarks>
 /// A frame's number and the rate give its time. A run of numbers begins at the arrival of its first frame: with a connection, when the server
-/// restarts its count, or after a pause. Frames without number or rate have their time of arrival.
+/// restarts its count, or after a pause (<see cref="PauseFinder"/>). Frames without number or rate have their time of arrival.
 /// </remarks>
 internal sealed class StreamClock(IReadOnlyDictionary<int, StreamAvatar> avatars)
 {
@@ -24,10 +24,10 @@ internal sealed class StreamClock(IReadOnlyDictionary<int, StreamAvatar> avatars
             return arrival;
 
         if (!_runs.TryGetValue(frame.AvatarIndex, out Run? run))
-            _runs.Add(frame.AvatarIndex, run = new Run());
+            _runs.Add(frame.AvatarIndex, run = new Run(avatar.GetPauses()));
 
         double perSecond = rate * avatar.Step;
-        if (!run.Continues(index, connection, arrival))
+        if (!run.Continues(index, connection, ref arrival))
         {
             // Avatars share the start of a run, so that their times are equal. Times do not go back when another run begins.
             TimeSpan earliest = run.Last is { } last ? last + FrameTimes.Of(1, rate) : TimeSpan.MinValue;
@@ -49,20 +49,26 @@ internal sealed class StreamClock(IReadOnlyDictionary<int, StreamAvatar> avatars
         public bool IsNear(uint index, double perSecond, TimeSpan arrival) => (TimeOf(index, perSecond) - arrival).Duration() < SameMoment;
     }
 
-    private sealed class Run
+    private sealed class Run(IReadOnlyList<Pause> pauses)
     {
         private readonly IndexTracker _indices = new();
         private int? _connection;
-        private TimeSpan _arrival;
+        private long _frames;
+        private int _pause;
 
         public Start Start { get; set; }
 
         public TimeSpan? Last { get; set; }
 
-        public bool Continues(uint index, int connection, TimeSpan arrival)
+        // After a pause, the time is that at which the server sent the frame.
+        public bool Continues(uint index, int connection, ref TimeSpan time)
         {
-            bool isSame = connection == _connection && arrival - _arrival <= TakeClock.LongestStall;
-            (_connection, _arrival) = (connection, arrival);
+            bool isAfterPause = _pause < pauses.Count && pauses[_pause].Frame == _frames++;
+            if (isAfterPause)
+                time = pauses[_pause++].Time;
+
+            bool isSame = connection == _connection && !isAfterPause;
+            _connection = connection;
             if (!isSame)
                 _indices.StartAt(index);
 

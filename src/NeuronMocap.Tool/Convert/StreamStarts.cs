@@ -4,24 +4,31 @@ using NeuronMocap.Tool.Files;
 namespace NeuronMocap.Tool.Convert;
 
 /// <summary>The avatars of a stream that have poses, and when each of them begins.</summary>
-/// <param name="Avatars">The arrival of the first pose of each avatar, by its number.</param>
-internal sealed record StreamStarts(SortedDictionary<int, TimeSpan> Avatars)
+/// <param name="HasPoses">Whether the stream has poses, in the range or outside.</param>
+/// <param name="Avatars">The arrival of the first pose of each avatar in the range, by its number.</param>
+/// <param name="Duration">The time of the last frame of the stream.</param>
+internal sealed record StreamStarts(bool HasPoses, SortedDictionary<int, TimeSpan> Avatars, TimeSpan Duration)
 {
-    /// <summary>The arrival of the first pose.</summary>
+    /// <summary>The arrival of the first pose in the range.</summary>
     public TimeSpan First => Avatars.Values.Min();
 
-    public static StreamStarts Read(FileSettings settings, IProgress<double> progress, CancellationToken cancellationToken)
+    public static StreamStarts Read(FileSettings settings, TimeRange range, IProgress<double> progress, CancellationToken cancellationToken)
     {
+        bool hasPoses = false;
         SortedDictionary<int, TimeSpan> avatars = [];
         using RecordedFrameReader reader = RecordedFrameReader.Open(settings.Input, settings.Playback);
         while (reader.Read())
         {
             cancellationToken.ThrowIfCancellationRequested();
             progress.Report(reader.Duration > TimeSpan.Zero ? Math.Min(reader.Time / reader.Duration, 1) : 0);
-            if (reader.Frame is MotionFrame { HasSkeleton: true } frame && frame.AvatarIndex == (settings.Avatar ?? frame.AvatarIndex))
-                avatars.TryAdd(frame.AvatarIndex, reader.Time);
+            if (!StreamTable.Selects(settings, reader.Frame))
+                continue;
+
+            hasPoses = true;
+            if (range.Contains(reader.Time))
+                avatars.TryAdd(reader.Frame.AvatarIndex, reader.Time);
         }
 
-        return new StreamStarts(avatars);
+        return new StreamStarts(hasPoses, avatars, reader.Duration);
     }
 }

@@ -24,7 +24,7 @@ internal sealed class TakePart : MotionSource
     public TakePart(MotionSource take, TimeRange range, double? rate)
     {
         _take = take;
-        (_first, long count) = range.FramesOf(take.FrameCount!.Value, take.FrameRate);
+        (_first, long count) = range.FramesOf(take);
         _last = _first + count - 1;
         FrameRate = rate ?? take.FrameRate;
         FrameCount = rate is null ? count : (long)Math.Floor(((count - 1) / take.FrameRate * FrameRate) + SameFrame) + 1;

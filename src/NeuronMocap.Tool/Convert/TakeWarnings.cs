@@ -9,13 +9,13 @@ internal static class TakeWarnings
 {
     /// <summary>Adds the length of the new file and the defects of the old one.</summary>
     public static void Add(
-        ConversionSummary summary, FileSettings settings, InputTake take, MotionSource written, TimeRange range, CancellationToken cancellationToken)
+        ConversionSummary summary, FileSettings settings, InputTake take, MotionSource written, CancellationToken cancellationToken)
     {
         long count = written.FrameCount!.Value;
         (summary.Frames, summary.FrameRate, summary.Seconds) = (count, written.FrameRate, count / written.FrameRate);
         AddInput(summary, settings, take);
         if (take.Motion is RecordingSource stream)
-            AddStream(summary, settings, stream, range, cancellationToken);
+            AddStream(summary, settings, stream, take.Range, cancellationToken);
     }
 
     /// <summary>Adds the defects of the old file, unless it holds a stream.</summary>
@@ -43,7 +43,7 @@ internal static class TakeWarnings
     private static void AddStream(
         ConversionSummary summary, FileSettings settings, RecordingSource source, TimeRange range, CancellationToken cancellationToken)
     {
-        (long first, long count) = range.FramesOf(source.FrameCount!.Value, source.FrameRate);
+        (long first, long count) = range.FramesOf(source);
         foreach (RecordedGap gap in source.Gaps)
         {
             if (gap.Frame <= first || gap.Frame >= first + count)

@@ -1,3 +1,4 @@
+using NeuronMocap.Server;
 using NeuronMocap.Tool.Terminal;
 
 namespace NeuronMocap.Tool.Convert;
@@ -15,6 +16,27 @@ internal readonly record struct TimeRange(double? From, double? To)
     public TimeSpan Start => TimeSpan.FromSeconds(From ?? 0);
 
     public bool Contains(TimeSpan time) => time >= Start && (To is not { } end || time < TimeSpan.FromSeconds(end));
+
+    /// <summary>Gets the frames of a take in the range. Frames of a recording have their times of arrival.</summary>
+    /// <param name="take">A take that has an end.</param>
+    /// <returns>The first frame and the number of frames.</returns>
+    /// <exception cref="NeuronException">The range has no frame.</exception>
+    public (long First, long Count) FramesOf(MotionSource take)
+    {
+        if (IsAll || take is not RecordingSource recording)
+            return FramesOf(take.FrameCount!.Value, take.FrameRate);
+
+        (long first, long end) = (0, recording.FrameCount!.Value);
+        while (first < end && !Contains(recording.GetTime(first)))
+            first++;
+        if (first == end)
+            throw new NeuronException(Quantity.Format($"No frames remain: the take ends at {recording.GetTime(end - 1).TotalSeconds:0.###} s."));
+
+        while (!Contains(recording.GetTime(end - 1)))
+            end--;
+
+        return (first, end - first);
+    }
 
     /// <summary>Gets the frames in the range, for a take at an even rate.</summary>
     /// <param name="count">Number of frames of the take.</param>

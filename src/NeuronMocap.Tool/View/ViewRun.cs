@@ -94,7 +94,7 @@ internal sealed class ViewRun(ViewOptions options, StandardStreams streams)
 
     private ScratchFolder CreateScratch() => new(UploadsThatFit * options.UploadMegabytes * BodyLimit.Megabyte);
 
-    private TakeService CreateTakes(ScratchFolder scratch, ControlHub hub) => new TakeService(scratch, hub, options.UploadMegabytes);
+    private TakeService CreateTakes(ScratchFolder scratch, ControlHub hub) => new TakeService(scratch, hub, options.UploadMegabytes, TakeLibrary.NewRun());
 
     private async Task ServeAsync(IReadOnlyList<IViewPart> parts, CancellationToken cancellationToken)
     {

@@ -54,6 +54,47 @@ public sealed class ConvertEditTests : IDisposable
         Assert.Equal(0, reader.GetStatistics().BytesSkipped);
     }
 
+    [Theory]
+    [InlineData("part.nmrec")]
+    [InlineData("part.bvh")]
+    [InlineData("part.bin")]
+    public async Task A_part_of_a_recording_is_the_same_in_every_kind_of_file(string output)
+    {
+        // The stream begins after two seconds, and pauses for three.
+        using (var recording = new GlbRecording(_folder["take.nmrec"]))
+        {
+            for (int frame = 0; frame < 240; frame++)
+                recording.Add(2 + (frame / 60.0) + (frame < 120 ? 0 : 3), frame);
+        }
+
+        Assert.Contains(": 90 frames", await ConvertAsync(_folder["take.nmrec"], _folder[output], "--from", "3", "--to", "7.5"), StringComparison.Ordinal);
+        await ConvertAsync(_folder["take.nmrec"], _folder["whole.bvh"]);
+        await ConvertAsync(_folder[output], _folder["poses.bvh"], "--overwrite");
+        AssertSamePoses(BvhDocument.Load(_folder["whole.bvh"]), BvhDocument.Load(_folder["poses.bvh"]), static frame => 60 + frame);
+    }
+
+    [Theory]
+    [InlineData("part.bvh")]
+    [InlineData("part.glb")]
+    public async Task A_part_of_a_recording_without_poses_has_the_rows_that_arrived_in_it(string output)
+    {
+        Takes.Actor(240).Save(_folder["take.bvh"]);
+        await ConvertAsync(_folder["take.bvh"], _folder["take.calc"]);
+        await ConvertAsync(_folder["take.calc"], _folder["rows.nmrec"]);
+        using (RecordingReader reader = RecordingReader.Open(_folder["rows.nmrec"]))
+        using (RecordingWriter writer = RecordingWriter.Create(_folder["late.nmrec"], reader.Metadata))
+        {
+            writer.OpenConnection(TimeSpan.Zero, new RecordedConnection(0, TransportKind.Tcp, string.Empty, string.Empty));
+            while (reader.TryRead(out RecordingEntry entry))
+            {
+                if (entry.Kind == RecordingEntryKind.Bytes)
+                    writer.WriteBytes(entry.Time + TimeSpan.FromSeconds(2), 0, entry.Bytes);
+            }
+        }
+
+        Assert.Contains(": 30 frames, 0.500 s at 60 Hz; ", await ConvertAsync(_folder["late.nmrec"], _folder[output], "--to", "2.5"), StringComparison.Ordinal);
+    }
+
     [Fact]
     public async Task A_recording_of_poses_becomes_a_BVH_file_of_another_rate()
     {

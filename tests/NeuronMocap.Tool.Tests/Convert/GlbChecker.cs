@@ -37,13 +37,14 @@ internal static class GlbChecker
                 Point(figure.GetProperty("size"))))]))];
     }
 
-    /// <summary>Imports a file into Blender. Returns the joints of each armature by name, at each time. Skips the test without Blender.</summary>
+    /// <summary>Imports a file into Blender. Returns the joints of each armature by name, at each time. Skips the test without Blender and its NumPy.</summary>
     public static async Task<Dictionary<string, Dictionary<string, Vector3>[]>> ImportAsync(string file, double rate, double[] times)
     {
         Assert.SkipUnless(Exists("blender"), "blender is not installed.");
         string script = Repository.PathOf("tests", "Shared", "Gltf", "joints.py");
         string output = await RunAsync(
             "blender", ["-b", "--factory-startup", "--python-exit-code", "1", "--python", script, "--", file, rate.ToString(CultureInfo.InvariantCulture), Join(times)]);
+        Assert.SkipWhen(output.Contains("LACKS NumPy", StringComparison.Ordinal), "Blender has no NumPy: install python3-numpy.");
         using var json = JsonDocument.Parse(output.Split('\n').Single(static line => line.StartsWith("JOINTS ", StringComparison.Ordinal))["JOINTS ".Length..]);
         return json.RootElement.EnumerateArray().ToDictionary(
             static armature => armature.GetProperty("name").GetString()!,

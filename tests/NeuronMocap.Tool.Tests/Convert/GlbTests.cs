@@ -91,6 +91,77 @@ public sealed class GlbTests : IDisposable
         Assert.Equal(3600 + (119 / 60.0), file.KeyTimes(0, "Hips")[^1], 0.001);
     }
 
+    [Theory]
+    [InlineData(0.5)]
+    [InlineData(3)]
+    [InlineData(12)]
+    public async Task A_pause_keeps_its_length_though_the_numbers_go_on(double pause)
+    {
+        // The second avatar is a little late, and more so after the pause.
+        using (var recording = new GlbRecording(_folder["take.nmrec"]))
+        {
+            for (int frame = 0; frame < 240; frame++)
+            {
+                double time = 5 + (frame / 60.0) + (frame < 120 ? 0 : pause);
+                recording.Add(time, frame);
+                recording.Add(time + (frame == 120 ? 0.004 : 0.001), frame, avatar: 1, name: "Ben");
+            }
+        }
+
+        await ConvertAsync(_folder["take.nmrec"], _folder["b.glb"]);
+
+        GlbFile file = Read("b.glb");
+        double[] times = [.. file.KeyTimes(0, "Hips").Select(static time => (double)time)];
+        Assert.Equal(119 / 60.0, times[119], 1e-4);
+        Assert.Equal((120 / 60.0) + pause, times[^120], 1e-4);
+        Assert.Equal((239 / 60.0) + pause, times[^1], 1e-4);
+        Assert.Equal(file.KeyTimes(0, "Hips"), file.KeyTimes(1, "Hips", skin: 1));
+    }
+
+    [Fact]
+    public async Task A_network_that_stalls_is_no_pause()
+    {
+        using (var recording = new GlbRecording(_folder["take.nmrec"]))
+        {
+            for (int frame = 0; frame < 600; frame++)
+                recording.Add(frame is >= 120 and < 420 ? 7 : frame / 60.0, frame);
+        }
+
+        await ConvertAsync(_folder["take.nmrec"], _folder["b.glb"]);
+
+        Assert.Equal(Enumerable.Range(0, 600).Select(static frame => (float)GlbTake.Time(frame).TotalSeconds), Read("b.glb").KeyTimes(0, "Hips"));
+    }
+
+    [Fact]
+    public async Task A_part_of_a_recording_has_the_frames_that_arrived_in_it()
+    {
+        using (var recording = new GlbRecording(_folder["take.nmrec"]))
+        {
+            for (int frame = 0; frame < 240; frame++)
+            {
+                recording.Add(2 + (frame / 60.0) + (frame < 120 ? 0 : 3), frame);
+                if (frame >= 120)
+                    recording.Add(2 + (frame / 60.0) + 3.001, frame, avatar: 1, name: "Ben");
+            }
+        }
+
+        string summary = await ConvertAsync(_folder["take.nmrec"], _folder["b.glb"], "--from", "3", "--to", "8");
+
+        Assert.Contains(": 180 frames, 5.000 s at 60 Hz; ", summary, StringComparison.Ordinal);
+        GlbFile file = Read("b.glb");
+        float[] times = file.KeyTimes(0, "Hips");
+        Assert.Equal(0, times[0]);
+        Assert.Equal(5 - (1 / 60.0), times[^1], 1e-4);
+        Assert.Equal(4, file.KeyTimes(1, "Hips", skin: 1)[0], 1e-4);
+        Assert.InRange(GlbTake.Distance(GlbTake.Joints(GlbTake.Pose(60)), file.Joints(0)), 0, SamePlace);
+        Assert.InRange(GlbTake.Distance(GlbTake.Joints(GlbTake.Pose(120)), file.Joints(4, skin: 1, animation: 1)), 0, SamePlace);
+
+        await ConvertAsync(_folder["take.nmrec"], _folder["early.glb"], "--to", "3.5");
+        Assert.Equal(["Anna"], Read("early.glb").Names("animations"));
+        ToolResult none = await ToolRunner.RunAsync("convert", _folder["take.nmrec"], _folder["none.glb"], "--from", "5", "--to", "6");
+        Assert.Contains("No frames remain: the take ends at 8.98", Assert.Single(none.Error), StringComparison.Ordinal);
+    }
+
     [Fact]
     public async Task Frames_that_arrive_in_bursts_have_even_times()
     {

@@ -1,4 +1,3 @@
-using System.Diagnostics;
 using NeuronMocap.Tool.Tests.View;
 using NeuronMocap.View.Tests.Infrastructure;
 
@@ -43,9 +42,11 @@ public sealed class CharacterPageTests(SharedBrowser browser) : IDisposable
     [Theory]
     [InlineData("boxes-1.vrm")]
     [InlineData("boxes-0.vrm")]
-    public async Task A_vrm_character_holds_its_limbs_like_the_performer(string file)
+    [InlineData("boxes-mixamo.glb")]
+    [InlineData("boxes-z-up.glb")]
+    public async Task A_character_holds_its_limbs_like_the_performer(string file)
     {
-        await WriteSamplesAsync();
+        await CharacterSamples.WriteAsync(_folder.FullName);
         await using RunningView view = await RunningView.StartAsync(Repository.PathOf("samples", "takes", "walk.bvh"));
         await using TestPage page = await TestPage.OpenAsync(browser, view.Link);
         await page.UntilMovingAsync();
@@ -118,25 +119,4 @@ public sealed class CharacterPageTests(SharedBrowser browser) : IDisposable
 
     private static Task UntilShownAsync(TestPage page) => page.UntilAsync(
         "() => { const { characters } = window.neuronMocap.state(); return characters.length === 1 && characters[0].isShown; }");
-
-    private async Task WriteSamplesAsync()
-    {
-        Assert.SkipUnless(Directory.Exists(Repository.PathOf("web", "node_modules")), "The packages of the folder web are not installed.");
-        var start = new ProcessStartInfo("node", ["samples.mjs", _folder.FullName]) { WorkingDirectory = Repository.PathOf("web"), UseShellExecute = false };
-        Process? process = null;
-        try
-        {
-            process = Process.Start(start)!;
-        }
-        catch (System.ComponentModel.Win32Exception)
-        {
-            Assert.Skip("There is no node on the PATH.");
-        }
-
-        using (process)
-        {
-            await process.WaitForExitAsync(TestContext.Current.CancellationToken).Soon();
-            Assert.Equal(0, process.ExitCode);
-        }
-    }
 }

@@ -79,16 +79,20 @@ internal sealed class TestPage : IAsyncDisposable
     }
 
     /// <summary>Drops a file on the page.</summary>
-    public async Task DropAsync(string name, byte[] contents)
+    public Task DropAsync(string name, byte[] contents) => DropAsync((name, contents));
+
+    /// <summary>Drops several files together.</summary>
+    public async Task DropAsync(params (string Name, byte[] Contents)[] files)
     {
         const string Script = """
-            ({ name, text }) => {
+            files => {
               const transfer = new DataTransfer();
-              transfer.items.add(new File([Uint8Array.from(atob(text), letter => letter.charCodeAt(0))], name));
+              for (const { name, text } of files)
+                transfer.items.add(new File([Uint8Array.from(atob(text), letter => letter.charCodeAt(0))], name));
               document.body.dispatchEvent(new DragEvent("drop", { dataTransfer: transfer, bubbles: true, cancelable: true }));
             }
             """;
-        await Page.EvaluateAsync(Script, new { name, text = Convert.ToBase64String(contents) });
+        await Page.EvaluateAsync(Script, files.Select(static file => new { name = file.Name, text = Convert.ToBase64String(file.Contents) }).ToArray());
     }
 
     /// <summary>Checks that the page caused no fault.</summary>

@@ -64,6 +64,28 @@ public sealed class StateTests(SharedBrowser browser)
         page.AssertClean();
     }
 
+    [Theory]
+    [InlineData("", "The address has no token")]
+    [InlineData("?token=old", "The token is not that of the running program")]
+    public async Task A_link_without_the_token_is_explained_once(string query, string reason)
+    {
+        await using RunningView view = await RunningView.StartAsync("demo", "--token", "secret", "--bind", "0.0.0.0");
+        await using TestPage page = await TestPage.OpenAsync(browser, new Uri(new Uri(view.Link, "/"), query), 1280, 800);
+        await page.UntilAsync("() => window.neuronMocap.state().connection === 'denied'");
+        ILocator reasons = page.Page.GetByText(reason);
+        await page.Page.Locator(".overlay").GetByText(reason).WaitForAsync();
+        await page.Page.Locator(".overlay").GetByText("Open the link that neuron-mocap view shows in its terminal").WaitForAsync();
+        int shown = 0;
+        foreach (ILocator one in await reasons.AllAsync())
+            shown += await one.IsVisibleAsync() ? 1 : 0;
+
+        Assert.Equal(1, shown);
+        // What would only fail is not offered.
+        Assert.False(await page.Page.GetByRole(AriaRole.Button, new PageGetByRoleOptions { Name = "Record" }).IsVisibleAsync());
+        Assert.False(await page.Page.GetByRole(AriaRole.Button, new PageGetByRoleOptions { Name = "Open file" }).IsVisibleAsync());
+        page.AssertClean(static fault => fault.Contains("401", StringComparison.Ordinal));
+    }
+
     private static async Task AssertAdviceAsync(TestPage page, params string[] states)
     {
         await page.UntilAsync("states => { const { state, advice } = window.neuronMocap.state(); return states.includes(state) && advice !== ''; }", states);

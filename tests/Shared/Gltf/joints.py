@@ -4,7 +4,13 @@ import json
 import sys
 
 import bpy
-import numpy
+
+# The importer needs it. Debian only recommends it.
+try:
+    import numpy
+except ImportError:
+    print("LACKS NumPy")
+    sys.exit(0)
 
 # Debian 12 has an importer that needs this name, and a NumPy that has removed it.
 if "bool" not in vars(numpy):

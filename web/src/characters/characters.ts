@@ -1,6 +1,6 @@
 import type { Characters, Page, Takes } from "../page/page";
 import { Cast } from "./cast";
-import { CharacterEndings, findCharacter } from "./files";
+import { CharacterEndings, findCharacters } from "./files";
 import { CharacterSection } from "./section";
 
 /** Characters dropped on the page, and how they move. */
@@ -17,8 +17,12 @@ export function createCharacters(page: Page, takes: Takes): Characters {
   page.drops.add({
     what: "characters (VRM, GLB, glTF)",
     endings: CharacterEndings,
-    accepts: files => findCharacter(files) !== null,
-    take: files => void page.notices.attempt(() => cast.add(findCharacter(files)!)),
+    accepts: files => findCharacters(files).length > 0,
+    take: async files => {
+      // One after the other, so that each finds a performer of its own.
+      for (const found of findCharacters(files))
+        await page.notices.attempt(() => cast.add(found));
+    },
   });
   return {
     joints: id => cast.all.find(character => `${character.bones?.id}` === id)?.joints() ?? {},

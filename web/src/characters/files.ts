@@ -15,13 +15,11 @@ export interface CharacterFiles<T> {
   readonly parts: ReadonlyMap<string, T>;
 }
 
-/** Finds the character among files that were dropped together. Null: there is none. */
-export function findCharacter<T extends { readonly name: string }>(files: readonly T[]): CharacterFiles<T> | null {
-  const main = files.find(file => CharacterEndings.some(ending => file.name.toLowerCase().endsWith(ending)));
-  if (!main)
-    return null;
-
-  return { main, parts: new Map(files.filter(file => file !== main).map(file => [file.name.toLowerCase(), file])) };
+/** Finds the characters among files that were dropped together. */
+export function findCharacters<T extends { readonly name: string }>(files: readonly T[]): CharacterFiles<T>[] {
+  const isMain = (file: T): boolean => CharacterEndings.some(ending => file.name.toLowerCase().endsWith(ending));
+  const parts = new Map(files.filter(file => !isMain(file)).map(file => [file.name.toLowerCase(), file]));
+  return files.filter(isMain).map(main => ({ main, parts }));
 }
 
 /** The name of the file that an address in a .gltf refers to, in lower case and without folders. */
@@ -38,6 +36,7 @@ export function partName(address: string): string {
 }
 
 interface GltfJson {
+  readonly extensionsUsed?: readonly string[];
   readonly extensionsRequired?: readonly string[];
   readonly buffers?: readonly { readonly uri?: string }[];
   readonly images?: readonly { readonly uri?: string }[];
@@ -45,7 +44,9 @@ interface GltfJson {
 
 /** Says in a sentence why a character cannot be shown, or null. */
 export function findObstacle(name: string, json: GltfJson, parts: ReadonlySet<string> | ReadonlyMap<string, unknown>): string | null {
-  const reasons = [...new Set((json.extensionsRequired ?? []).map(each => Unsupported[each]).filter(each => each !== undefined))];
+  // The loader of three.js refuses Draco also where a file could do without.
+  const used = json.extensionsUsed?.filter(each => each === "KHR_draco_mesh_compression") ?? [];
+  const reasons = [...new Set([...used, ...json.extensionsRequired ?? []].map(each => Unsupported[each]).filter(each => each !== undefined))];
   if (reasons.length > 0)
     return `${name} is ${reasons.join(" and ")}, which this page cannot read. Export it without.`;
 
@@ -59,6 +60,9 @@ export function findObstacle(name: string, json: GltfJson, parts: ReadonlySet<st
 
 /** Reads the JSON of a .glb or .gltf file. Throws an Error with a sentence if it is none. */
 export function readJson(name: string, bytes: ArrayBuffer): GltfJson {
+  if (bytes.byteLength === 0)
+    throw new Error(`${name} is empty.`);
+
   const view = new DataView(bytes);
   const isBinary = bytes.byteLength >= 20 && view.getUint32(0, true) === 0x46546c67;
   if (isBinary && (view.getUint32(4, true) !== 2 || view.getUint32(16, true) !== 0x4e4f534a || 20 + view.getUint32(12, true) > bytes.byteLength))

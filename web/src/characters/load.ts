@@ -1,5 +1,5 @@
 import { type VRM, VRMLoaderPlugin, VRMUtils } from "@pixiv/three-vrm";
-import { LoadingManager, Mesh, type Object3D } from "three";
+import { LoadingManager, Mesh, type Object3D, SkinnedMesh } from "three";
 import { GLTFLoader } from "three/addons/loaders/GLTFLoader.js";
 import { type CharacterFiles, findObstacle, partName, readJson } from "./files";
 
@@ -56,12 +56,26 @@ function prepare(name: string, root: Object3D, vrm: VRM | null): LoadedCharacter
     if (!(object instanceof Mesh))
       return;
 
+    if (object instanceof SkinnedMesh && !isBound(object))
+      throw new Error("a part of it follows a joint that its skin does not have.");
+
     object.castShadow = true;
     object.receiveShadow = true;
     // The bounds are those of the rest pose, and the character walks away from them.
     object.frustumCulled = false;
   });
   return { name, root, vrm };
+}
+
+// three.js would fail at every picture.
+function isBound({ geometry, skeleton }: SkinnedMesh): boolean {
+  const joints = geometry.getAttribute("skinIndex");
+  for (let i = 0; i < (joints?.count ?? 0); i++) {
+    if (Math.max(joints.getX(i), joints.getY(i), joints.getZ(i), joints.getW(i)) >= skeleton.bones.length)
+      return false;
+  }
+
+  return true;
 }
 
 function explain(name: string, error: Error): string {

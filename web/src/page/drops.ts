@@ -1,11 +1,11 @@
-/** What takes dropped or chosen files. The first whose `accepts` returns true gets all of them. */
+/** What takes dropped or chosen files. All whose `accepts` returns true get them. */
 export interface FileTaker {
   /** What it takes, in words: "recordings (BVH, .nmrec, .calc)". */
   readonly what: string;
   /** Endings with a dot, for the dialog that chooses files. */
   readonly endings: readonly string[];
   accepts(files: readonly File[]): boolean;
-  take(files: readonly File[]): void;
+  take(files: readonly File[]): void | Promise<void>;
 }
 
 /** Files dropped on the page, or chosen by a button. */
@@ -42,10 +42,10 @@ export class Drops {
     if (files.length === 0)
       return;
 
-    const taker = this._takers.find(candidate => candidate.accepts(files));
-    if (taker)
-      taker.take(files);
-    else
+    const takers = this._takers.filter(candidate => candidate.accepts(files));
+    for (const taker of takers)
+      void taker.take(files);
+    if (takers.length === 0)
       this._say(`${files[0].name} is not a file that this page shows. It shows ${this._takers.map(each => each.what).join(" and ")}.`);
   }
 

@@ -44,6 +44,7 @@ export function installTestHook(page: Page, connection: Connection, panel: Panel
       framesShown: [...page.performers.all].reduce((sum, each) => sum + each.poses, 0),
       received: page.feed.received,
       receivedBytes: page.feed.receivedBytes,
+      memory: { ...page.stage.renderer.info.memory },
       newestDelay: panel.hud.delay,
     }),
   };

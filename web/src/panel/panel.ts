@@ -71,6 +71,7 @@ export class Panel {
     this.situation = isFile && connection.state === "open" ? OfFile : describe(connection.state, connection.refusal, this.status, page.performers.count);
     page.slots.stream.hidden = isFile;
     document.body.classList.toggle("without-stream", isFile);
+    document.body.classList.toggle("denied", connection.state === "denied");
     this._header.show(this.situation, connection.hello?.source ?? "");
     this._stream.show(this.situation, this.status, connection.state === "open" ? this.hud.delay : NaN);
     this._performers.show(this.status);

@@ -19,7 +19,7 @@ export interface Situation {
 export function describe(connection: ConnectionState, refusal: string, status: Status | null, performers: number): Situation {
   switch (connection) {
     case "denied":
-      return say("bad", "This page needs its link", "", refusal || "Open the link that the program shows in its terminal. It contains the token.");
+      return say("bad", "This link does not work", refusal, "Open the link that neuron-mocap view shows in its terminal, with the token at its end.");
     case "gone":
       return say("bad", "The program does not answer", "The page connects again by itself.",
         "If neuron-mocap view has ended, start it again with the same port.");

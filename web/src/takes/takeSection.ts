@@ -39,7 +39,7 @@ export class TakeSection {
     if (info.problems.length > 0)
       place.append(element("ul", { class: "problems", "aria-label": "Problems of the file" }, ...info.problems.map(text => element("li", {}, text))));
     if (info.performers.length > 0)
-      place.append(downloadButtons(this._page, info.id, info.name, this._playback), this._part);
+      place.append(this._part, downloadButtons(this._page, info.id, info.name, this._playback));
     this.showPart();
     if (this._page.connection.hello?.mode !== "take")
       place.append(element("div", { class: "buttons" }, wordButton("live", "Back to live", this._close)));
@@ -49,7 +49,7 @@ export class TakeSection {
   showPart(): void {
     const { from, to, start, end } = this._playback;
     this._part.hidden = from === null && to === null;
-    setText(this._part, `Downloads hold the part from ${clock(start)} to ${clock(end)}.`);
+    setText(this._part, `Downloads hold the part from ${clock(start)} to ${clock(end)}. For the whole take, remove the points (x).`);
   }
 
   clear(): void {

@@ -1,5 +1,7 @@
+import type { Hello } from "../live/messages";
 import { ApiError } from "../page/api";
 import type { Page, Takes } from "../page/page";
+import { findTakes, TakeEndings } from "./files";
 import type { TakeContacts, TakeInfo } from "./info";
 import { Playback } from "./playback";
 import { PlotSection } from "./plotSection";
@@ -9,8 +11,8 @@ import { Timeline } from "./timeline";
 import { TimeView } from "./timeView";
 import { Transport } from "./transport";
 
-const Endings = [".bvh", ".nmrec", ".calc", ".bin", ".dat"];
 const AskAgain = 500;
+const NotFound = 404;
 const ReadoutEvery = 66;
 // That of --upload-limit, in bytes.
 const Megabyte = 1024 * 1024;
@@ -61,11 +63,20 @@ class TakeScreen implements Takes {
     this._timeline.element.addEventListener("keydown", event => this._onSliderKey(event));
     new MutationObserver(() => this._redraw()).observe(document.documentElement, { attributeFilter: ["data-theme"] });
     page.loop.add("motion", (now, step) => this._onPicture(now, step));
+    page.connection.onMessage(message => {
+      if (message.type === "hello")
+        void page.notices.attempt(() => this._check(message));
+    });
     page.drops.add({
       what: "takes (BVH, .nmrec, .calc)",
-      endings: Endings,
-      accepts: files => findTake(files) !== undefined,
-      take: files => void this._upload(findTake(files)!),
+      endings: TakeEndings,
+      accepts: files => findTakes(files).length > 0,
+      take: files => {
+        const [first, ...others] = findTakes(files);
+        if (others.length > 0)
+          page.notices.say(`The page shows one take at a time. It opens ${first.name}.`);
+        void this._upload(first);
+      },
     });
   }
 
@@ -136,6 +147,26 @@ class TakeScreen implements Takes {
       await this.open(id);
     });
     progress.end();
+  }
+
+  // A program that was started again has none of the takes that were open.
+  private async _check(hello: Hello): Promise<void> {
+    const player = this._player;
+    if (this._current === null || this._current === hello.take)
+      return;
+
+    try {
+      await this._page.api.get<TakeInfo>(`takes/${encodeURIComponent(this._current)}`);
+    } catch (error) {
+      if (this._player !== player || !(error instanceof ApiError) || error.status !== NotFound)
+        return;
+
+      this._page.notices.problem(error.message);
+      if (hello.mode === "take" && hello.take)
+        await this.open(hello.take);
+      else
+        this.close();
+    }
   }
 
   // Asks again while the server reads the file, and while it does not answer.
@@ -282,12 +313,4 @@ class TakeScreen implements Takes {
     this._timeline.draw();
     this._plot.plot.draw();
   }
-}
-
-// The server decides by the contents. Files with a character among them are not for it.
-function findTake(files: readonly File[]): File | undefined {
-  if (files.some(file => /\.(vrm|glb|gltf|fbx)$/i.test(file.name)))
-    return undefined;
-
-  return files.find(file => Endings.some(ending => file.name.toLowerCase().endsWith(ending))) ?? (files.length === 1 ? files[0] : undefined);
 }

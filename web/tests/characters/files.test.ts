@@ -1,16 +1,21 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { findCharacter, findObstacle, partName, readJson } from "../../src/characters/files";
+import { findCharacters, findObstacle, partName, readJson } from "../../src/characters/files";
 import { makeSample, toGlb } from "./sample";
 
 const named = (...names: string[]) => names.map(name => ({ name }));
 const encode = (text: string) => new TextEncoder().encode(text).buffer as ArrayBuffer;
 
 test("a character is found among the files that were dropped with it", () => {
-  assert.equal(findCharacter(named("walk.bvh")), null);
-  const found = findCharacter(named("Skin.PNG", "Hero.GLTF", "hero.bin"));
-  assert.equal(found?.main.name, "Hero.GLTF");
-  assert.deepEqual([...found!.parts.keys()], ["skin.png", "hero.bin"]);
+  assert.deepEqual(findCharacters(named("walk.bvh")), []);
+  const [found, ...others] = findCharacters(named("Skin.PNG", "Hero.GLTF", "hero.bin"));
+  assert.equal(found.main.name, "Hero.GLTF");
+  assert.deepEqual([...found.parts.keys()], ["skin.png", "hero.bin"]);
+  assert.deepEqual(others, []);
+});
+
+test("several characters can be dropped together", () => {
+  assert.deepEqual(findCharacters(named("a.vrm", "walk.bvh", "b.glb")).map(each => each.main.name), ["a.vrm", "b.glb"]);
 });
 
 test("addresses in a file lead to the dropped files", () => {
@@ -28,6 +33,8 @@ test("what a file needs and is not there is said in one sentence", () => {
 test("compressed files are refused in one sentence", () => {
   const json = { extensionsRequired: ["KHR_draco_mesh_compression", "KHR_texture_basisu", "KHR_materials_unlit"] };
   assert.equal(findObstacle("x.glb", json, new Set()), "x.glb is compressed with Draco and textured with KTX2, which this page cannot read. Export it without.");
+  assert.match(findObstacle("x.glb", { extensionsUsed: ["KHR_draco_mesh_compression"] }, new Set())!, /Draco/);
+  assert.equal(findObstacle("x.glb", { extensionsUsed: ["EXT_meshopt_compression"] }, new Set()), null);
   assert.match(findObstacle("x.glb", { extensionsRequired: ["EXT_meshopt_compression"] }, new Set())!, /meshopt/);
 });
 
@@ -39,9 +46,12 @@ test("the JSON of both kinds of files is read", () => {
 });
 
 test("other and damaged files are refused in one sentence", () => {
-  for (const text of ["", "{", "null", "3", "{}", "not really a file of this kind"])
+  assert.throws(() => readJson("a.glb", encode("")), /^Error: a\.glb is empty\.$/);
+  for (const text of ["{", "null", "3", "{}", "not really a file of this kind"])
     assert.throws(() => readJson("a.glb", encode(text)), /^Error: a\.glb is not a glTF or VRM file\.$/);
 
+  const picture = Uint8Array.from([0x89, 0x50, 0x4e, 0x47, 13, 10, 26, 10, ...Array(40).fill(7)]).buffer;
+  assert.throws(() => readJson("a.vrm", picture), /^Error: a\.vrm is not a glTF or VRM file\.$/);
   const glb = toGlb(makeSample({ vrm: null }));
   assert.throws(() => readJson("a.glb", glb.slice(0, 200)), /damaged/);
   new DataView(glb).setUint32(4, 1, true);

@@ -51,6 +51,35 @@ test("a glTF file gives the joints of its skin with their names in the file", as
   assert.ok(!skeleton.nodes.some(node => node.name === "Body"));
 });
 
+test("a file with Z up in centimetres, a morph target and a second skin stands on the floor and is freed", async () => {
+  const { loaded, skeleton } = await load({ vrm: null, nameOf: mixamoName, scale: 0.01, zUp: true, rich: true, twisted: true });
+  const placed = (joint: string) => placeOf(skeleton, skeleton.nodes.findIndex(node => node.name === mixamoName(joint)));
+  near(placed("hips").toArray(), [0, 0.95, 0], "hips");
+  near(placed("leftHand").toArray(), [0.66, 1.4, 0], "left hand");
+  near(placed("leftToes").toArray(), [0.09, 0.02, 0.13], "left toes");
+  near([skeleton.lowest!], [0], "lowest point");
+  let skins = 0;
+  let morphs = 0;
+  const freed = new Set<object>();
+  loaded.root.traverse(object => {
+    const mesh = object as SkinnedMesh;
+    skins += mesh.isSkinnedMesh ? 1 : 0;
+    morphs += Object.keys(mesh.geometry?.morphAttributes ?? {}).length;
+    mesh.geometry?.addEventListener("dispose", () => freed.add(mesh.geometry));
+  });
+  assert.deepEqual([skins, morphs], [2, 1]);
+  new Character(loaded, skeleton).dispose();
+  assert.ok(freed.size > 0);
+});
+
+test("a vertex that follows a joint outside its skin is a damaged file, and no picture fails", async () => {
+  const sample = makeSample({ vrm: null });
+  const skins = sample.json["skins"] as { joints: number[]; inverseBindMatrices?: number }[];
+  skins[0].joints.length = 3;
+  const main = new File([toGlb(sample)], "broken.glb");
+  await assert.rejects(loadCharacter({ main, parts: new Map() }), /^Error: broken\.glb is damaged: a part of it follows a joint that its skin does not have\.$/);
+});
+
 test("nodes in the pose of an animation return to the pose of the skin", async () => {
   const { skeleton: expected } = await load({ vrm: null, nameOf: mixamoName, lowered: 40, twisted: true });
   const { skeleton } = await load({ vrm: null, nameOf: mixamoName, lowered: 40, twisted: true, posed: 70 });

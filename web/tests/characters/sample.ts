@@ -43,6 +43,10 @@ export interface SampleOptions {
   readonly scale?: number;
   /** A picture for the boxes. */
   readonly picture?: Uint8Array;
+  /** Whether the file has Z up, and its topmost node turns that, as exports of FBX files do. */
+  readonly zUp?: boolean;
+  /** A second mesh with a skin of its own, and a morph target that raises the first. */
+  readonly rich?: boolean;
   /** Joints without a node. */
   readonly without?: readonly string[];
 }
@@ -72,18 +76,25 @@ export function makeSample(options: SampleOptions): SampleFile {
       ...localOf(joints, i, options),
       children: joints.flatMap((other, index) => other.parent === i ? [index] : []),
     })).map(node => node.children.length > 0 ? node : { ...node, children: undefined }),
-    { name: "Armature", scale: Array(3).fill(options.scale ?? 1), children: [0] },
+    { name: "Armature", scale: Array(3).fill(options.scale ?? 1), ...(options.zUp ? { rotation: Upright.toArray() } : {}), children: [0] },
     { name: "Body", mesh: 0, skin: 0 },
+    ...(options.rich ? [{ name: "Clothes", mesh: 1, skin: 1 }] : []),
   ];
   const extensions = options.vrm === "1" ? vrm1(joints) : options.vrm === "0" ? vrm0(joints) : undefined;
   return {
     json: {
       asset: { version: "2.0", generator: "NeuronMocap tests" },
       scene: 0,
-      scenes: [{ nodes: [top, top + 1] }],
+      scenes: [{ nodes: nodes.map((_, i) => i).slice(top) }],
       nodes,
-      skins: [{ joints: joints.map((_, i) => i), inverseBindMatrices: mesh.inverses, skeleton: 0 }],
-      meshes: [{ primitives: [mesh.primitive] }],
+      skins: [
+        { joints: joints.map((_, i) => i), inverseBindMatrices: mesh.inverses, skeleton: 0 },
+        ...(options.rich ? [{ joints: joints.map((_, i) => i), inverseBindMatrices: mesh.inverses }] : []),
+      ],
+      meshes: [
+        { primitives: [options.rich ? { ...mesh.primitive, targets: [{ POSITION: mesh.primitive.attributes.NORMAL }] } : mesh.primitive] },
+        ...(options.rich ? [{ primitives: [mesh.primitive] }] : []),
+      ],
       materials: [{ pbrMetallicRoughness: { baseColorFactor: [0.75, 0.72, 0.68, 1], metallicFactor: 0, roughnessFactor: 0.8, ...(options.picture ? { baseColorTexture: { index: 0 } } : {}) } }],
       ...(options.picture ? { textures: [{ source: 0 }], images: [{ bufferView: bytes.addView(options.picture), mimeType: "image/png" }] } : {}),
       accessors: bytes.accessors,
@@ -121,6 +132,19 @@ export function mixamoName(joint: string): string {
   return `mixamorig:${side && side[0].toUpperCase() + side.slice(1)}${names[part] ?? part}`;
 }
 
+/** Turns Z up into Y up. */
+const Upright = new Quaternion().setFromAxisAngle(new Vector3(1, 0, 0), -Math.PI / 2);
+
+/** Brings a point of the figure to the axes and the unit of the file. */
+function toFile(place: Vector3, { scale = 1, zUp }: SampleOptions): Vector3 {
+  return place.clone().divideScalar(scale).applyQuaternion(zUp ? Upright.clone().invert() : new Quaternion());
+}
+
+function inverseOf({ place, turn }: Joint, options: SampleOptions): number[] {
+  const rotation = options.zUp ? Upright.clone().invert().multiply(turn) : turn;
+  return new Matrix4().compose(toFile(place, options), rotation, new Vector3(1, 1, 1)).invert().elements;
+}
+
 function makeJoints({ vrm, lowered = 0, twisted, without = [] }: SampleOptions): Joint[] {
   const rows = [...Joints.filter(([name]) => !without.includes(name))];
   for (let i = 0; i < Tail; i++)
@@ -150,7 +174,8 @@ function turnWithArm(name: string, way: Vector3, degrees: number): Vector3 {
 function localOf(joints: readonly Joint[], index: number, options: SampleOptions): { translation: number[]; rotation: number[] } {
   const { name, parent, place, turn } = joints[index];
   const above = parent < 0 ? null : joints[parent];
-  const back = above ? above.turn.clone().invert() : new Quaternion();
+  // The topmost node has turned the axes already.
+  const back = above ? above.turn.clone().invert() : options.zUp ? Upright.clone().invert() : new Quaternion();
   const way = place.clone().sub(above?.place ?? new Vector3()).applyQuaternion(back).divideScalar(options.scale ?? 1);
   const rotation = back.multiply(turn);
   if (options.posed && name.endsWith("UpperArm"))
@@ -159,7 +184,8 @@ function localOf(joints: readonly Joint[], index: number, options: SampleOptions
 }
 
 // A box from each joint to its first child, bound to the joint. The boxes of lowered arms are lowered with them.
-function addMesh(joints: readonly Joint[], upright: readonly Joint[], { scale = 1, lowered = 0 }: SampleOptions, bytes: Bytes) {
+function addMesh(joints: readonly Joint[], upright: readonly Joint[], options: SampleOptions, bytes: Bytes) {
+  const { lowered = 0 } = options;
   const [positions, normals, uvs, bones, weights, indices]: number[][] = [[], [], [], [], [], []];
   upright.forEach((joint, index) => {
     const child = upright.find(each => each.parent === index);
@@ -177,7 +203,7 @@ function addMesh(joints: readonly Joint[], upright: readonly Joint[], { scale = 
           corner[(axis + 2) % 3] = v * 2 - 1;
           const place = new Vector3(...[0, 1, 2].map(i => (corner[i] < 0 ? low : high).getComponent(i)));
           const normal = new Vector3().setComponent(axis, sign);
-          positions.push(...lower(joint.name, place, lowered).divideScalar(scale).toArray());
+          positions.push(...toFile(lower(joint.name, place, lowered), options).toArray());
           normals.push(...turnWithArm(joint.name, normal, lowered).toArray());
           uvs.push(u, v);
           bones.push(index, 0, 0, 0);
@@ -188,15 +214,14 @@ function addMesh(joints: readonly Joint[], upright: readonly Joint[], { scale = 
       }
     }
   });
-  const inverses = joints.flatMap(({ place, turn }) =>
-    new Matrix4().compose(place.clone().divideScalar(scale), turn, new Vector3(1, 1, 1)).invert().elements);
+  const inverses = joints.flatMap(joint => inverseOf(joint, options));
   return {
     inverses: bytes.add(new Float32Array(inverses), "MAT4"),
     primitive: {
       material: 0,
       attributes: {
         POSITION: bytes.add(new Float32Array(positions), "VEC3", true),
-        NORMAL: bytes.add(new Float32Array(normals), "VEC3"),
+        NORMAL: bytes.add(new Float32Array(normals), "VEC3", options.rich),
         TEXCOORD_0: bytes.add(new Float32Array(uvs), "VEC2"),
         JOINTS_0: bytes.add(new Uint16Array(bones), "VEC4"),
         WEIGHTS_0: bytes.add(new Float32Array(weights), "VEC4"),

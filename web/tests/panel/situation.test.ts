@@ -23,9 +23,10 @@ test("every other state says something, and what to do", () => {
     assert.ok(describe(connection, "The link is old.", null, 2).advice !== "", connection);
 });
 
-test("a refusal is told once, in the words of the server", () => {
-  const situation = describe("denied", "The link is old. Open the link that the program shows.", null, 0);
-  assert.deepEqual([situation.text, situation.advice], ["", "The link is old. Open the link that the program shows."]);
+test("a refusal says what happened in the words of the server, and then what to do", () => {
+  const situation = describe("denied", "The address has no token.", null, 0);
+  assert.equal(situation.text, "The address has no token.");
+  assert.match(situation.advice, /^Open the link that neuron-mocap view shows/);
 });
 
 test("the words and the advice of the server come first", () => {

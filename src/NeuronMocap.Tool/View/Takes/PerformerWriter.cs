@@ -117,6 +117,8 @@ internal sealed class PerformerWriter
             return;
         }
 
+        // Every frame that has a time can be read.
+        Performer.Poses.ThrowIfFull();
         _lastTime = microseconds;
         bool isAfterGap = _times.Add(microseconds);
         Performer.Poses.Append(_pose);

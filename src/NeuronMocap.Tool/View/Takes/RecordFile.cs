@@ -14,6 +14,7 @@ internal sealed class RecordFile : IDisposable
     private int _used;
     private long _written;
     private long _count;
+    private volatile bool _isFull;
 
     /// <summary>Creates an empty file.</summary>
     /// <param name="folder">An existing folder.</param>
@@ -33,9 +34,10 @@ internal sealed class RecordFile : IDisposable
     public long Count => Volatile.Read(ref _count);
 
     /// <summary>Appends a record, which can be read after the next <see cref="Flush"/>, or once enough others follow.</summary>
-    /// <exception cref="IOException">The disk is full or fails.</exception>
+    /// <exception cref="IOException">The disk is full or fails. The message is a sentence. Later records do not fit either.</exception>
     public void Append(ReadOnlySpan<byte> record)
     {
+        ThrowIfFull();
         record[..RecordSize].CopyTo(_buffer.AsSpan(_used));
         _used += RecordSize;
         if (_used == _buffer.Length)
@@ -43,12 +45,25 @@ internal sealed class RecordFile : IDisposable
     }
 
     /// <summary>Makes all records readable.</summary>
+    /// <exception cref="IOException">The disk is full or fails. The message is a sentence.</exception>
     public void Flush()
     {
         if (_used == 0)
             return;
 
-        RandomAccess.Write(_file, _buffer.AsSpan(0, _used), _written);
+        ThrowIfFull();
+        try
+        {
+            RandomAccess.Write(_file, _buffer.AsSpan(0, _used), _written);
+        }
+        catch (Exception exception) when (ScratchFolder.IsOfDisk(exception))
+        {
+            // What has no room stays in the buffer, which does not change any more.
+            _isFull = true;
+            Volatile.Write(ref _count, (_written + _used) / RecordSize);
+            ThrowIfFull();
+        }
+
         _written += _used;
         _used = 0;
         Volatile.Write(ref _count, _written / RecordSize);
@@ -66,7 +81,14 @@ internal sealed class RecordFile : IDisposable
         long offset = first * RecordSize;
         while (!rest.IsEmpty)
         {
-            int count = RandomAccess.Read(_file, rest, offset);
+            if (_isFull && offset >= _written)
+            {
+                _buffer.AsSpan((int)(offset - _written), rest.Length).CopyTo(rest);
+                break;
+            }
+
+            int here = _isFull ? (int)Math.Min(rest.Length, _written - offset) : rest.Length;
+            int count = RandomAccess.Read(_file, rest[..here], offset);
             if (count == 0)
                 throw new IOException("A temporary file of the take was cut off.");
 
@@ -75,6 +97,14 @@ internal sealed class RecordFile : IDisposable
         }
 
         return wanted;
+    }
+
+    /// <summary>Checks that more records fit, as far as that is known.</summary>
+    /// <exception cref="IOException">They do not. The message is a sentence.</exception>
+    public void ThrowIfFull()
+    {
+        if (_isFull)
+            throw new IOException("The temporary folder of the program has no room for the rest of the take.");
     }
 
     public void Dispose() => _file.Dispose();

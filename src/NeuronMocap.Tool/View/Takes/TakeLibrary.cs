@@ -1,4 +1,5 @@
 using System.Globalization;
+using System.Security.Cryptography;
 using NeuronMocap.Tool.Files;
 using NeuronMocap.Tool.View.Web;
 
@@ -6,7 +7,8 @@ namespace NeuronMocap.Tool.View.Takes;
 
 /// <summary>The takes that are open. Thread-safe.</summary>
 /// <param name="scratch">The folder for uploads and temporary files.</param>
-internal sealed class TakeLibrary(ScratchFolder scratch) : IDisposable
+/// <param name="run">The start of the takes' ids. Pages outlive the program, so each run of it needs others: <see cref="NewRun"/>.</param>
+internal sealed class TakeLibrary(ScratchFolder scratch, string run) : IDisposable
 {
     /// <summary>Number of takes that can be open. To open another one closes the one that was used longest ago.</summary>
     public const int MostTakes = 8;
@@ -15,6 +17,9 @@ internal sealed class TakeLibrary(ScratchFolder scratch) : IDisposable
     private readonly List<Take> _takes = [];
     private int _number;
     private bool _isDisposed;
+
+    /// <summary>Makes a start of ids that no other run of the program has.</summary>
+    public static string NewRun() => $"t{RandomNumberGenerator.GetHexString(8, lowercase: true)}-";
 
     /// <summary>Opens a file as a take. Its kind is determined by its contents. The file is read on another thread.</summary>
     /// <param name="path">The file.</param>
@@ -31,7 +36,7 @@ internal sealed class TakeLibrary(ScratchFolder scratch) : IDisposable
         lock (_lock)
         {
             ObjectDisposedException.ThrowIf(_isDisposed, this);
-            take = new Take(string.Create(CultureInfo.InvariantCulture, $"t{++_number}"), name, path, kind) { IsUpload = isUpload };
+            take = new Take(string.Create(CultureInfo.InvariantCulture, $"{run}{++_number}"), name, path, kind) { IsUpload = isUpload };
             _takes.Add(take);
             oldest = _takes.Count > MostTakes ? _takes[0] : null;
             if (oldest is not null)

@@ -78,23 +78,33 @@ internal sealed class TakeReading(Take take, string folder)
 
     private void Complete()
     {
-        try
+        foreach (PerformerWriter writer in _writers)
         {
-            foreach (PerformerWriter writer in _writers)
-            {
-                writer.Finish();
-                Describe(writer);
-            }
+            Finish(writer);
+            Describe(writer);
+        }
 
-            if (take.Problems.IsEmpty && take.Duration == TimeSpan.Zero && take.Performers.All(static performer => performer.Frames == 0))
-                take.AddProblem("The file holds no frames.");
-        }
-        catch (Exception exception) when (exception is IOException or ObjectDisposedException)
-        {
-            take.AddProblem("The temporary folder does not accept more data.");
-        }
+        if (take.Problems.IsEmpty && take.Duration == TimeSpan.Zero && take.Performers.All(static performer => performer.Frames == 0))
+            take.AddProblem("The file holds no frames.");
 
         take.Report(1);
+    }
+
+    private void Finish(PerformerWriter writer)
+    {
+        try
+        {
+            writer.Finish();
+        }
+        catch (IOException exception)
+        {
+            if (!take.Problems.Contains(exception.Message, StringComparer.Ordinal))
+                take.AddProblem(exception.Message);
+        }
+        catch (ObjectDisposedException)
+        {
+            // The take was closed.
+        }
     }
 
     private void Describe(PerformerWriter writer)

@@ -13,14 +13,15 @@ namespace NeuronMocap.Tool.View.Takes;
 /// <param name="scratch">The folder for uploads and temporary files.</param>
 /// <param name="hub">Tells pages of new takes.</param>
 /// <param name="uploadMegabytes">The largest upload.</param>
-internal sealed class TakeService(ScratchFolder scratch, ControlHub hub, int uploadMegabytes) : ITakeLibrary
+/// <param name="run">The start of the takes' ids.</param>
+internal sealed class TakeService(ScratchFolder scratch, ControlHub hub, int uploadMegabytes, string run) : ITakeLibrary
 {
     private const int MostFrames = 4096; // in an answer
     private const int MostPoints = 10_000;
     private const int FramesPerRead = 64;
     private const int TimeStep = 2; // blocks
 
-    private readonly TakeLibrary _library = new(scratch);
+    private readonly TakeLibrary _library = new(scratch, run);
     private readonly TakeDownload _download = new(scratch);
 
     public Task<string> OpenAsync(string path, CancellationToken cancellationToken) => Task.Run(() => Open(path, Path.GetFileName(path), isUpload: false).Id, cancellationToken);

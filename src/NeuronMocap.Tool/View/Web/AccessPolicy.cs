@@ -12,6 +12,8 @@ namespace NeuronMocap.Tool.View.Web;
 internal sealed class AccessPolicy(string? token, bool isPublic, IReadOnlyList<string> origins)
 {
     private const string Localhost = "localhost";
+    private const string NoToken = "The address has no token, so the program does not know that you may see this.";
+    private const string WrongToken = "The token is not that of the running program. Each start of the program makes a new one.";
 
     // The names of this computer. A name of somebody else leads here only by DNS rebinding.
     private readonly HashSet<string> _names = new((isPublic ? NamesOfThisComputer() : []).Concat(origins.Select(HostOf)), StringComparer.OrdinalIgnoreCase);
@@ -29,7 +31,7 @@ internal sealed class AccessPolicy(string? token, bool isPublic, IReadOnlyList<s
         if (!IsOriginAllowed(request))
             return (StatusCodes.Status403Forbidden, "Pages of other web sites may not use this server.");
         if (token is not null && !AccessToken.IsIn(request, token))
-            return (StatusCodes.Status401Unauthorized, "The link is incomplete or old. Open the link that the program shows, with its token.");
+            return (StatusCodes.Status401Unauthorized, AccessToken.IsGiven(request) ? WrongToken : NoToken);
 
         return null;
     }

@@ -38,12 +38,15 @@ internal sealed class ScratchFolder(long mostBytes) : IDisposable
         catch (Exception exception)
         {
             Delete(path);
-            if (exception is IOException and not BadHttpRequestException)
+            if (IsOfDisk(exception))
                 throw new ApiException(StatusCodes.Status507InsufficientStorage, "The file could not be saved: the disk of the program's computer may be full.");
 
             throw;
         }
     }
+
+    /// <summary>Whether an exception says that a disk is full or fails. A file that is too large for its disk is an argument out of range.</summary>
+    public static bool IsOfDisk(Exception exception) => exception is ArgumentOutOfRangeException or IOException and not BadHttpRequestException;
 
     /// <summary>Deletes a saved file.</summary>
     public void Delete(string path)

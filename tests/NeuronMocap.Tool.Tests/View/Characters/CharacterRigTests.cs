@@ -23,6 +23,21 @@ public sealed class CharacterRigTests
             mapped.Bones.ToArray().Select(static bone => (bone.Node, bone.Humanoid)));
     }
 
+    // three.js, among others, removes the colon when it loads and saves a file.
+    [Theory]
+    [InlineData("mixamorig")]
+    [InlineData("mixamorig1:")]
+    [InlineData("Armature|mixamorig:")]
+    [InlineData("")]
+    public void Mixamo_characters_are_found_with_any_prefix(string prefix)
+    {
+        CharacterNode[] nodes = SampleCharacters.OfRig("mixamo");
+        CharacterNode[] renamed = [.. nodes.Select(node => node with { Name = node.Name.Replace("mixamorig:", prefix, StringComparison.Ordinal) })];
+        Assert.Equal(
+            CharacterRig.Create(nodes).Bones.ToArray().Select(static bone => (bone.Node, bone.Humanoid)),
+            CharacterRig.Create(renamed).Bones.ToArray().Select(static bone => (bone.Node, bone.Humanoid)));
+    }
+
     [Fact]
     public void VRM_counts_the_thumb_from_its_metacarpal_bone()
     {

@@ -46,7 +46,7 @@ internal sealed class CharacterServer : IAsyncDisposable
         var hub = new ControlHub(() => [.. live!.Greet()]);
         live = new LiveSession(reader, "test", hub);
         var scratch = new ScratchFolder(BodyLimit.Megabyte);
-        var takes = new TakeService(scratch, hub, uploadMegabytes: 1);
+        var takes = new TakeService(scratch, hub, uploadMegabytes: 1, run: "t");
         var library = new CharacterLibrary(live, takes);
         reader.Start();
         var options = new ViewOptions(Source.Demo, new ConnectionOptions()) { Port = 0 };

@@ -35,7 +35,7 @@ internal sealed class TakeClient : IAsyncDisposable
     {
         var scratch = new ScratchFolder(long.MaxValue);
         var hub = new ControlHub(static () => [new object()]);
-        var takes = new TakeService(scratch, hub, megabytes);
+        var takes = new TakeService(scratch, hub, megabytes, run: "t");
         var options = new ViewOptions(Source.Demo, new ConnectionOptions()) { Port = 0, Bind = IPAddress.Loopback };
         return new TakeClient(takes, await ViewServer.StartAsync(options, [hub, takes]), scratch, hub);
     }

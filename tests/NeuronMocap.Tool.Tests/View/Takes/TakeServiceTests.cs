@@ -194,5 +194,54 @@ public sealed class TakeServiceTests
         await client.GetAsync("takes/t2");
     }
 
+    [Fact]
+    public async Task A_take_of_an_earlier_run_of_the_program_is_gone_although_another_take_is_open()
+    {
+        using var folder = new Files.TemporaryFolder();
+        string file = folder["walk.bvh"];
+        Files.Takes.Actor(2).Save(file);
+        string before, after;
+        await using (RunningView first = await RunningView.StartAsync(file))
+            before = (await first.GetAsync("/api/hello")).GetProperty("take").GetString()!;
+
+        await using RunningView second = await RunningView.StartAsync(file);
+        after = (await second.GetAsync("/api/hello")).GetProperty("take").GetString()!;
+        using HttpResponseMessage gone = await second.Client.GetAsync($"/api/takes/{before}", TestContext.Current.CancellationToken);
+
+        Assert.NotEqual(before, after);
+        Assert.Equal(HttpStatusCode.NotFound, gone.StatusCode);
+        Assert.Contains("Drop its file on the page again.", await gone.Content.ReadAsStringAsync(TestContext.Current.CancellationToken), StringComparison.Ordinal);
+        Assert.Equal("walk.bvh", (await second.GetAsync($"/api/takes/{after}")).GetProperty("name").GetString());
+    }
+
+    [Theory]
+    [InlineData("bvh")]
+    [InlineData("nmrec")]
+    public async Task A_part_of_a_recording_has_the_frames_that_the_page_shows_in_it(string format)
+    {
+        // The stream begins after two seconds, and pauses for three.
+        using var takes = new OpenTakes();
+        string recording = takes.Record(Enumerable.Range(0, 240).Select(static frame => (2000 + (frame * 1000 / 60.0) + (frame < 120 ? 0 : 3000), 0, frame)));
+        await using TakeClient client = await TakeClient.StartAsync();
+        await client.UploadAsync(recording);
+
+        using HttpResponseMessage part = await client.GetFileAsync($"takes/t1/download?format={format}&from=3000&to=7500");
+        string file = client.Folder["part." + format];
+        await File.WriteAllBytesAsync(file, await part.Content.ReadAsByteArrayAsync());
+        await client.OpenAsync(file);
+
+        List<byte[]> expected = await client.GetPosesAsync("t1", "t1-0", 60, 90), actual = await client.GetPosesAsync("t2", "t2-0", 0, 200);
+        Assert.Equal(90, actual.Count);
+        foreach (int frame in (int[])[0, 59, 60, 89])
+            Assert.Equal(RotationsOf(expected[frame]), RotationsOf(actual[frame]), static (a, b) => Math.Abs(a - b) < 1e-3f);
+    }
+
+    private static float[] RotationsOf(byte[] pose)
+    {
+        var transforms = new BoneTransform[BoneHierarchy.BoneCount];
+        Assert.True(CompactPose.TryDecode(pose, out _, transforms));
+        return [.. transforms.SelectMany(static bone => (float[])[bone.Rotation.X, bone.Rotation.Y, bone.Rotation.Z, bone.Rotation.W])];
+    }
+
     private static int CountRows(string table) => table.Split('\n').Count(static line => line.Length > 0 && char.IsAsciiDigit(line[0]));
 }

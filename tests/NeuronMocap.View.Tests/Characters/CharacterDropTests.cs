@@ -1,0 +1,97 @@
+using System.Globalization;
+using System.Net;
+using NeuronMocap.Server;
+using NeuronMocap.Tests.Network;
+using NeuronMocap.Tool.Tests.View;
+using NeuronMocap.View.Tests.Infrastructure;
+
+namespace NeuronMocap.View.Tests.Characters;
+
+// Dropping and removing characters.
+public sealed class CharacterDropTests(SharedBrowser browser) : IDisposable
+{
+    private const int Drops = 10;
+
+    private static readonly string Walk = Repository.PathOf("samples", "takes", "walk.bvh");
+
+    private readonly DirectoryInfo _folder = Directory.CreateTempSubdirectory("neuron-mocap-drops-");
+
+    public void Dispose() => _folder.Delete(recursive: true);
+
+    [Theory]
+    [InlineData("boxes-1.vrm")]
+    [InlineData("boxes-z-up.glb")]
+    public async Task Removed_characters_leave_nothing_on_the_graphics_card(string file)
+    {
+        await CharacterSamples.WriteAsync(_folder.FullName);
+        await using RunningView view = await RunningView.StartAsync(Walk);
+        await using TestPage page = await TestPage.OpenAsync(browser, view.Link, 320, 240);
+        await page.UntilMovingAsync();
+        byte[] contents = await ReadAsync(file);
+        await DropAndRemoveAsync(page, file, contents);
+        string before = await MemoryAsync(page);
+        for (int i = 0; i < Drops; i++)
+            await DropAndRemoveAsync(page, file, contents);
+
+        Assert.Equal(before, await MemoryAsync(page));
+        page.AssertClean();
+    }
+
+    [Fact]
+    public async Task Characters_that_are_dropped_together_wait_for_a_performer_and_stand_side_by_side()
+    {
+        await CharacterSamples.WriteAsync(_folder.FullName);
+        int port = FreePort.Next();
+        await using RunningView view = await RunningView.StartAsync(string.Create(CultureInfo.InvariantCulture, $"127.0.0.1:{port}"));
+        await using TestPage page = await TestPage.OpenAsync(browser, view.Link, 1280, 400);
+        await page.UntilAsync("() => window.neuronMocap.state().connection === 'open'");
+        await page.DropAsync(("boxes-1.vrm", await ReadAsync("boxes-1.vrm")), ("boxes-mixamo.glb", await ReadAsync("boxes-mixamo.glb")));
+        await page.UntilAsync("() => window.neuronMocap.state().characters.length === 2");
+        Assert.Equal(2, await page.Page.GetByText("No performer yet").CountAsync() - await page.Page.Locator(".overlay").GetByText("No performer yet").CountAsync());
+
+        await using var broadcaster = new Broadcaster(new BroadcasterOptions { Sources = [new SyntheticSource()], BindAddress = IPAddress.Loopback, Port = port });
+        broadcaster.Start();
+        await page.UntilAsync("() => { const { characters } = window.neuronMocap.state(); return characters.every(each => each.isShown) && characters[0].place !== characters[1].place; }");
+        page.AssertClean();
+    }
+
+    [Theory]
+    [InlineData("empty.vrm", "empty.vrm is empty.")]
+    [InlineData("picture.glb", "picture.glb is not a glTF or VRM file.")]
+    [InlineData("empty.bvh", "empty.bvh")]
+    [InlineData("picture.nmrec", "picture.nmrec")]
+    public async Task An_empty_file_and_a_picture_with_another_name_are_refused_in_a_sentence(string name, string words)
+    {
+        await CharacterSamples.WriteAsync(_folder.FullName);
+        await using RunningView view = await RunningView.StartAsync("demo");
+        await using TestPage page = await TestPage.OpenAsync(browser, view.Link);
+        await page.UntilMovingAsync();
+        await page.DropAsync(name, name.StartsWith("empty", StringComparison.Ordinal) ? [] : await ReadAsync("boxes.png"));
+        await page.Page.Locator(".notice.problem").GetByText(words).WaitForAsync();
+        page.AssertClean(static fault => fault.Contains(" 400 ", StringComparison.Ordinal));
+    }
+
+    private Task<byte[]> ReadAsync(string file) => File.ReadAllBytesAsync(Path.Combine(_folder.FullName, file), TestContext.Current.CancellationToken);
+
+    private static async Task DropAndRemoveAsync(TestPage page, string file, byte[] contents)
+    {
+        await page.DropAsync(file, contents);
+        await page.UntilAsync("() => { const { characters } = window.neuronMocap.state(); return characters.length === 1 && characters[0].isShown; }");
+        await DrawAsync(page);
+        await page.Page.Locator($"[aria-label='Remove {file}']").EvaluateAsync("button => button.click()");
+        await page.UntilAsync("() => window.neuronMocap.state().characters.length === 0");
+        await DrawAsync(page);
+    }
+
+    // What is not drawn is not on the graphics card. A step makes the page draw.
+    private static async Task DrawAsync(TestPage page)
+    {
+        int pictures = await PicturesAsync(page);
+        await page.Page.Keyboard.PressAsync(".");
+        await page.UntilAsync("pictures => window.neuronMocap.stats().pictures > pictures", pictures);
+    }
+
+    private static async Task<int> PicturesAsync(TestPage page) => (await page.EvaluateAsync("() => window.neuronMocap.stats().pictures")).GetInt32();
+
+    private static async Task<string> MemoryAsync(TestPage page) => (await page.EvaluateAsync("() => window.neuronMocap.stats().memory")).ToString();
+}
