@@ -65,7 +65,7 @@ public sealed class CharacterPageTests(SharedBrowser browser) : IDisposable
     [Fact]
     public async Task The_scripts_for_characters_come_with_the_first_character()
     {
-        await WriteSamplesAsync();
+        await CharacterSamples.WriteAsync(_folder.FullName);
         await using RunningView view = await RunningView.StartAsync("demo");
         await using TestPage page = await TestPage.OpenAsync(browser, view.Link);
         await page.UntilMovingAsync();
