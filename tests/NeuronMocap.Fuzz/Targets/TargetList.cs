@@ -14,8 +14,8 @@ internal static class TargetList
         new("assembler", CorpusKind.Packets, () => new AssemblerTarget().Run) { AllocatedPerInput = 32 * 1024, AllocatedPerByte = 16 },
         new("text", CorpusKind.Text, () => new AssemblerTarget().Run) { AllocatedPerInput = 64 * 1024, AllocatedPerByte = 16 },
         // Each sender has room for the image of a line.
-        new("udp-text", CorpusKind.Text, () => new UdpTarget().Run) { AllocatedPerInput = 3 * UdpTarget.AllocatedForSenders, AllocatedPerByte = 16 },
-        new("udp", CorpusKind.Packets, () => new UdpTarget().Run) { AllocatedPerInput = UdpTarget.AllocatedForSenders, AllocatedPerByte = 16 },
+        new("udp-text", CorpusKind.Text, () => new UdpTarget().Run) { AllocatedPerInput = 3 * UdpTarget.AllocatedForSenders, AllocatedPerByte = UdpTarget.AllocatedPerByte },
+        new("udp", CorpusKind.Packets, () => new UdpTarget().Run) { AllocatedPerInput = UdpTarget.AllocatedForSenders, AllocatedPerByte = UdpTarget.AllocatedPerByte },
         new("headers", CorpusKind.Packets, () => HeadersTarget.Run),
         new("frames", CorpusKind.Packets, () => new FramesTarget().Run) { AllocatedPerByte = 16 },
         new("compact", CorpusKind.Poses, () => new CompactPoseTarget().Run) { Share = 0.2 },

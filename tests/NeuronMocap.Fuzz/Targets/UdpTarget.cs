@@ -14,6 +14,9 @@ internal sealed class UdpTarget
     /// <summary>The memory for all senders, the smallest tail of each, and a waiting datagram.</summary>
     public const long AllocatedForSenders = (MostSenders * 8 * 1024) + (64 * 1024);
 
+    /// <summary>Beyond the limit of the library, senders displace each other, and the next datagram of a displaced one makes a new one, of up to 5 KB.</summary>
+    public const long AllocatedPerByte = 64;
+
     // Some senders have their own computer, others share one.
     private static readonly SocketAddress[] Addresses =
         [.. Enumerable.Range(1, MostSenders).Select(number => new IPEndPoint(new IPAddress([127, 0, 0, (byte)(1 + (number % 50))]), number).Serialize())];
