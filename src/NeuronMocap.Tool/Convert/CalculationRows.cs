@@ -10,12 +10,17 @@ namespace NeuronMocap.Tool.Convert;
 internal static class CalculationRows
 {
     /// <summary>Writes an export with one row for each frame.</summary>
-    /// <returns>False if the stream has no calculation frames of the avatar. Nothing is written then.</returns>
+    /// <returns>False if the stream has no calculation frames of the avatar, or only poses in the range. Nothing is written then.</returns>
+    /// <exception cref="NeuronException">The range has no row.</exception>
     public static bool TryWrite(
         FileSettings settings, TimeRange range, string output, ConversionSummary summary, IProgress<double> progress, CancellationToken cancellationToken)
     {
         if (Survey(settings, range, progress, cancellationToken) is not { } found)
             return false;
+        if (found.Times.Part.Count == 0 && found.HasPoses)
+            return false;
+        if (found.Times.Part.Count == 0)
+            throw TimeRange.NoFrames(found.Times.End);
 
         (long gaps, long missing) = found.Times.CountGaps();
         double rate = settings.InputRate ?? found.Times.Rate ?? CalculationReadOptions.DefaultFrameRate;
@@ -43,24 +48,29 @@ internal static class CalculationRows
     }
 
     /// <summary>Loads the rows of an avatar whose stream has no poses. Null if it has poses or no calculation frames.</summary>
-    public static (CalculationDocument Document, string AvatarName)? TryLoad(
+    /// <remarks>All rows are loaded, because the motion in all of them shows the body. The result has the numbers of those in the range.</remarks>
+    /// <exception cref="NeuronException">The range has no row.</exception>
+    public static (CalculationDocument Document, string AvatarName, (long First, long Count) Rows)? TryLoad(
         FileSettings settings, TimeRange range, IProgress<double> progress, CancellationToken cancellationToken)
     {
         if (Survey(settings, range, progress, cancellationToken) is not { HasPoses: false } found)
             return null;
+        if (found.Times.Part.Count == 0)
+            throw TimeRange.NoFrames(found.Times.End);
 
         double rate = settings.InputRate ?? found.Times.Rate ?? CalculationReadOptions.DefaultFrameRate;
         using var text = new MemoryStream();
         using (var writer = new CalculationFileWriter(text, found.ValueCount, leaveOpen: true))
         {
-            foreach (CalculationFrame frame in Read(settings, range, found.Avatar, progress, cancellationToken))
+            foreach (CalculationFrame frame in Read(settings, default, found.Avatar, progress, cancellationToken))
             {
                 if (frame.Values.Length == writer.ValueCount)
                     writer.WriteFrame(frame.Values);
             }
         }
 
-        return (CalculationDocument.Parse(text.GetBuffer().AsSpan(0, (int)text.Length), new CalculationReadOptions { FrameRate = rate }), found.AvatarName);
+        var document = CalculationDocument.Parse(text.GetBuffer().AsSpan(0, (int)text.Length), new CalculationReadOptions { FrameRate = rate });
+        return (document, found.AvatarName, found.Times.Part);
     }
 
     // Finds the avatar, the width of its rows and their arrival times. Unless an avatar is named, the first avatar with such frames is used.
@@ -76,12 +86,9 @@ internal static class CalculationRows
             hasPoses |= reader.Frame is MotionFrame { HasSkeleton: true } && reader.Frame.AvatarIndex == (settings.Avatar ?? reader.Frame.AvatarIndex);
             if (reader.Frame is not CalculationFrame { BoneCount: > 0 } frame || frame.AvatarIndex != (found?.Avatar ?? settings.Avatar ?? frame.AvatarIndex))
                 continue;
-            if (!range.Contains(reader.Time))
-                continue;
-
             found ??= new Found(frame.AvatarIndex, frame.AvatarName, frame.Values.Length, new RowTimes());
             if (frame.Values.Length == found.ValueCount)
-                found.Times.Add(frame.FrameIndex, reader.Time, reader.Connection);
+                found.Times.Add(frame.FrameIndex, reader.Time, reader.Connection, range.Contains(reader.Time));
         }
 
         return found is null ? null : found with { HasPoses = hasPoses };

@@ -76,7 +76,7 @@ internal sealed class ConvertTool(FileSettings settings, StandardStreams streams
     {
         InputTake take = InputTake.Load(settings, from, progress, cancellationToken);
         RotationOrder order = settings.OutputOrder ?? take.Order;
-        MotionSource motion = take.Range.IsAll && settings.FrameRate is null ? take.Motion : new TakePart(take.Motion, take.Range, settings.FrameRate);
+        MotionSource motion = take.Range.IsAll && settings.FrameRate is null ? take.Motion : new TakePart(take.Motion, take.GetPart(), settings.FrameRate);
         switch (to)
         {
             case FileKind.Bvh:

@@ -51,19 +51,19 @@ internal sealed class GlbOutput(
         if (starts is not { HasPoses: true })
         {
             InputTake take = InputTake.Load(settings, from, progress, cancellationToken);
-            Add(glb, take.Motion, take.AvatarName, 0, take.Range, static _ => TimeSpan.Zero);
+            Add(glb, take.Motion, take.AvatarName, 0, take.GetPart(), static _ => TimeSpan.Zero);
             TakeWarnings.AddInput(summary, settings, take);
             return;
         }
 
         if (starts.Avatars.Count == 0)
-            throw new NeuronException(Quantity.Format($"No frames remain: the take ends at {starts.Duration.TotalSeconds:0.###} s."));
+            throw TimeRange.NoFrames(starts.Duration);
 
         foreach (int avatar in starts.Avatars.Keys)
         {
             RecordingSource source = RecordingSource.Load(settings.Input, avatar, settings.Playback, progress, cancellationToken);
             // Avatars of a server move at the same instants, although their frames arrive one after the other.
-            Add(glb, source, source.AvatarName, avatar, range, first =>
+            Add(glb, source, source.AvatarName, avatar, range.FramesOf(source), first =>
                 FrameTimes.Of(Math.Max((long)Math.Round((source.GetTime(first) - starts.First).TotalSeconds * source.FrameRate), 0), source.FrameRate));
             AddStreamWarnings(source, range);
         }
@@ -73,9 +73,9 @@ internal sealed class GlbOutput(
         summary.AddLoss("times of arrival");
     }
 
-    private void Add(GlbWriter glb, MotionSource source, string name, int number, TimeRange part, Func<long, TimeSpan> startOf)
+    private void Add(GlbWriter glb, MotionSource source, string name, int number, (long First, long Count) part, Func<long, TimeSpan> startOf)
     {
-        (long begin, long count) = part.FramesOf(source);
+        (long begin, long count) = part;
         var offsets = new Vector3[BoneHierarchy.BoneCount];
         var endSites = new Vector3[BoneHierarchy.BoneCount];
         source.GetBody(offsets, endSites);

@@ -21,8 +21,11 @@ internal sealed record InputTake(MotionSource Motion, ChannelLayout Layout, Rota
     /// <summary>The rows, if the file is calculation data.</summary>
     public CalculationDocument? Calculation { get; init; }
 
-    /// <summary>The requested part of the motion. Rows of a stream outside the part are not loaded, so nothing has to be cut.</summary>
+    /// <summary>The requested part of the motion.</summary>
     public TimeRange Range { get; init; }
+
+    /// <summary>The first row that arrived in the part, and the number of rows; null if the frames' own times give the part.</summary>
+    private (long First, long Count)? Rows { get; init; }
 
     /// <summary>Loads a file.</summary>
     /// <exception cref="NeuronException">The file has no pose of the 59 bones.</exception>
@@ -38,6 +41,10 @@ internal sealed record InputTake(MotionSource Motion, ChannelLayout Layout, Rota
         };
     }
 
+    /// <summary>Gets the first frame of the requested part and the number of its frames.</summary>
+    /// <exception cref="NeuronException">The part has no frame.</exception>
+    public (long First, long Count) GetPart() => Rows ?? Range.FramesOf(Motion);
+
     public static InputTake Of(BvhDocument document)
     {
         var source = new BvhSource(document);
@@ -51,7 +58,7 @@ internal sealed record InputTake(MotionSource Motion, ChannelLayout Layout, Rota
     private static InputTake OfStream(FileSettings settings, TimeRange range, IProgress<double> progress, CancellationToken cancellationToken)
     {
         if (CalculationRows.TryLoad(settings, range, progress, cancellationToken) is { } calculation)
-            return Of(calculation.Document, calculation.AvatarName);
+            return Of(calculation.Document, calculation.AvatarName) with { Range = range, Rows = calculation.Rows };
 
         RecordingSource source = RecordingSource.Load(settings.Input, settings.Avatar, settings.Playback, progress, cancellationToken);
         return new InputTake(source, source.Layout, source.Format.RotationOrder, source.AvatarName) { Range = range };

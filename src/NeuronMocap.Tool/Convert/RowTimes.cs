@@ -7,16 +7,32 @@ internal sealed class RowTimes
 {
     private readonly FrameTiming _timing = new();
     private readonly List<uint?> _indices = [];
+    private long _rows;
 
     public double? Rate => _timing.Rate;
 
-    public void Add(uint? index, TimeSpan time, int connection)
+    /// <summary>The time of the last row.</summary>
+    public TimeSpan End { get; private set; }
+
+    /// <summary>The first row in the requested part, and the number of rows to the last one in it.</summary>
+    public (long First, long Count) Part { get; private set; }
+
+    /// <summary>Adds the next row. Rows outside the part count for the rate only.</summary>
+    public void Add(uint? index, TimeSpan time, int connection, bool isInPart)
     {
         _timing.Add(index, time, connection);
-        _indices.Add(index);
+        End = time;
+        if (isInPart)
+        {
+            long first = Part.Count == 0 ? _rows : Part.First;
+            Part = (first, _rows - first + 1);
+            _indices.Add(index);
+        }
+
+        _rows++;
     }
 
-    /// <summary>Counts the gaps. A restart of the server's numbers is a gap of unknown length.</summary>
+    /// <summary>Counts the gaps in the part. A restart of the server's numbers is a gap of unknown length.</summary>
     public (long Gaps, long MissingFrames) CountGaps()
     {
         (long gaps, long missing) = (0, 0);

@@ -18,7 +18,7 @@ internal sealed class StreamAvatar
     public StreamAvatar(string name, SkeletonBody body)
     {
         (Name, Body) = (name, body);
-        _pauses = new PauseFinder(() => Rate * Step);
+        _pauses = new PauseFinder(() => (_timing.MeasuredRate ?? Rate) * Step);
     }
 
     /// <summary>Its name in its first frame.</summary>
@@ -71,7 +71,8 @@ internal sealed class StreamAvatar
         if (change is not (IndexChange.Late or IndexChange.Same) && index is not null)
             _pauses.Add(_frames, _place += change == IndexChange.Ahead ? index.Value - newest!.Value : 0, time);
 
-        _frames++;
+        // StreamClock counts the same frames.
+        _frames += index is null ? 0 : 1;
         IsNumbered |= index is not null && _lastIndex is not null && index != _lastIndex;
         (_lastIndex, _connection) = (index, connection);
     }

@@ -6,8 +6,9 @@ namespace NeuronMocap.Tool.Convert;
 /// Gives frames of a stream the even times at which the server made them. Arrival times jitter, and frames of a burst arrive together.
 /// </summary>
 /// <remarks>
-/// A frame's number and the rate give its time. A run of numbers begins at the arrival of its first frame: with a connection, when the server
-/// restarts its count, or after a pause (<see cref="PauseFinder"/>). Frames without number or rate have their time of arrival.
+/// A frame's number and the rate give its time. A run of numbers begins with a connection, when the server restarts its count, or after a pause
+/// (<see cref="PauseFinder"/>). The time between two runs is that between their arrivals, or the length of the pause. Frames without number or
+/// rate have their time of arrival.
 /// </remarks>
 internal sealed class StreamClock(IReadOnlyDictionary<int, StreamAvatar> avatars)
 {
@@ -16,6 +17,9 @@ internal sealed class StreamClock(IReadOnlyDictionary<int, StreamAvatar> avatars
 
     private readonly Dictionary<int, Run> _runs = [];
     private Start? _lastStart;
+
+    // How far the last frame is from its arrival, because the clock of the server differs from the usual rate.
+    private TimeSpan _drift;
 
     public TimeSpan TimeOf(AvatarFrame frame, TimeSpan arrival, int connection)
     {
@@ -27,18 +31,22 @@ internal sealed class StreamClock(IReadOnlyDictionary<int, StreamAvatar> avatars
             _runs.Add(frame.AvatarIndex, run = new Run(avatar.GetPauses()));
 
         double perSecond = rate * avatar.Step;
-        if (!run.Continues(index, connection, ref arrival))
+        if (!run.Continues(index, connection, out TimeSpan? pause))
         {
             // Avatars share the start of a run, so that their times are equal. Times do not go back when another run begins.
             TimeSpan earliest = run.Last is { } last ? last + FrameTimes.Of(1, rate) : TimeSpan.MinValue;
-            run.Start = _lastStart is { } shared && shared.Connection == connection && shared.IsNear(index, perSecond, arrival) && shared.TimeOf(index, perSecond) >= earliest
-                ? shared
-                : new Start(index, arrival > earliest ? arrival : earliest, connection);
+            TimeSpan begin = pause is { } length ? run.Start.TimeOf(index, perSecond) + length : arrival + _drift;
+            bool isShared = _lastStart is { } shared && shared.Connection == connection && shared.TimeOf(index, perSecond) >= earliest
+                && (shared.IsNear(index, perSecond, begin) || (run.Last is null && shared.IsNear(index, perSecond, arrival)));
+            run.Start = isShared
+                ? _lastStart!.Value
+                : new Start(index, begin > earliest ? begin : earliest, connection);
             _lastStart = run.Start;
         }
 
         TimeSpan time = run.Start.TimeOf(index, perSecond);
         run.Last = time;
+        _drift = time - arrival;
         return time;
     }
 
@@ -46,7 +54,7 @@ internal sealed class StreamClock(IReadOnlyDictionary<int, StreamAvatar> avatars
     {
         public TimeSpan TimeOf(uint index, double perSecond) => Time + FrameTimes.Of((int)(index - Index), perSecond);
 
-        public bool IsNear(uint index, double perSecond, TimeSpan arrival) => (TimeOf(index, perSecond) - arrival).Duration() < SameMoment;
+        public bool IsNear(uint index, double perSecond, TimeSpan time) => (TimeOf(index, perSecond) - time).Duration() < SameMoment;
     }
 
     private sealed class Run(IReadOnlyList<Pause> pauses)
@@ -60,14 +68,11 @@ internal sealed class StreamClock(IReadOnlyDictionary<int, StreamAvatar> avatars
 
         public TimeSpan? Last { get; set; }
 
-        // After a pause, the time is that at which the server sent the frame.
-        public bool Continues(uint index, int connection, ref TimeSpan time)
+        // The pause is that before the frame; null if there is none.
+        public bool Continues(uint index, int connection, out TimeSpan? pause)
         {
-            bool isAfterPause = _pause < pauses.Count && pauses[_pause].Frame == _frames++;
-            if (isAfterPause)
-                time = pauses[_pause++].Time;
-
-            bool isSame = connection == _connection && !isAfterPause;
+            pause = _pause < pauses.Count && pauses[_pause].Frame == _frames++ ? pauses[_pause++].Length : null;
+            bool isSame = connection == _connection && pause is null;
             _connection = connection;
             if (!isSame)
                 _indices.StartAt(index);

@@ -2,7 +2,6 @@ using NeuronMocap.Csv;
 using NeuronMocap.Recording;
 using NeuronMocap.Skeleton;
 using NeuronMocap.Tool.Files;
-using NeuronMocap.Tool.Terminal;
 
 namespace NeuronMocap.Tool.Convert;
 
@@ -19,7 +18,7 @@ internal static class StreamTable
         if (survey.Avatars.Count == 0)
             return false;
         if (survey.FrameCount == 0)
-            throw new NeuronException(Quantity.Format($"No frames remain: the take ends at {survey.Duration.TotalSeconds:0.###} s."));
+            throw TimeRange.NoFrames(survey.Duration);
 
         using (var writer = new PoseCsvWriter(path, Describe(settings, range, survey)))
         {

@@ -3,8 +3,8 @@ using NeuronMocap.Server;
 namespace NeuronMocap.Tool.Convert;
 
 /// <summary>
-/// The times of the frames of a take. They are even, because times of arrival jitter. Where the take continues after a gap or a pause, the time of
-/// arrival counts again, so the gap keeps its length.
+/// The times of the frames of a take. They are even, because times of arrival jitter. A gap or a pause keeps its length, also if the clock of the
+/// server differs from the usual rate.
 /// </summary>
 internal sealed class TakeClock
 {
@@ -24,7 +24,7 @@ internal sealed class TakeClock
         _other = other is not null && other._rate == _rate ? other : null;
         _runs.Add((first, Align(start)));
         if (take is RecordingSource recording)
-            AddRuns(recording, first, start);
+            AddRuns(recording, first);
     }
 
     /// <summary>Gets the time of a frame. Frames must be asked for in their order.</summary>
@@ -38,15 +38,14 @@ internal sealed class TakeClock
 
     private TimeSpan TimeInRun(long frame) => _runs[_run].Time + FrameTimes.Of(frame - _runs[_run].Frame, _rate);
 
-    private void AddRuns(RecordingSource recording, long first, TimeSpan start)
+    private void AddRuns(RecordingSource recording, long first)
     {
-        TimeSpan offset = start - recording.GetTime(first);
-        foreach ((long frame, TimeSpan time) in FindBreaks(recording, first))
+        foreach ((long frame, TimeSpan length) in FindBreaks(recording, first))
         {
-            // Times do not go back, even if the rate of the run before was too low.
+            // Times do not go back.
             TimeSpan earliest = TimeInRun(frame);
-            TimeSpan arrival = Align(time + offset);
-            _runs.Add((frame, arrival > earliest ? arrival : earliest));
+            TimeSpan time = Align(earliest + length);
+            _runs.Add((frame, time > earliest ? time : earliest));
             _run = _runs.Count - 1;
         }
 
@@ -55,9 +54,10 @@ internal sealed class TakeClock
 
     private static IEnumerable<Pause> FindBreaks(RecordingSource recording, long first)
     {
+        double rate = recording.MeasuredFrameRate ?? recording.FrameRate;
         var gaps = recording.Gaps.Where(gap => gap.Frame > first).ToDictionary(static gap => gap.Frame);
         var interpolated = gaps.Values.Where(static gap => gap.IsFilled).SelectMany(static gap => Frames(gap.Frame - gap.Missing!.Value, gap.Frame)).ToHashSet();
-        var pauses = new PauseFinder(() => recording.FrameRate);
+        var pauses = new PauseFinder(() => rate);
         List<Pause> breaks = [];
         for (long frame = first; frame < recording.FrameCount; frame++)
         {
@@ -67,7 +67,7 @@ internal sealed class TakeClock
             TimeSpan time = recording.GetTime(frame);
             if (gaps.TryGetValue(frame, out RecordedGap gap) && !gap.IsFilled)
             {
-                breaks.Add(new Pause(frame, time));
+                breaks.Add(new Pause(frame, time - recording.GetTime(frame - 1) - FrameTimes.Of(1, rate)));
                 pauses.Start();
             }
 

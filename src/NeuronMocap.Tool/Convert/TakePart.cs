@@ -18,13 +18,12 @@ internal sealed class TakePart : MotionSource
 
     /// <summary>Creates a part of a take.</summary>
     /// <param name="take">A take that has an end.</param>
-    /// <param name="range">The part.</param>
+    /// <param name="part">The first frame of the part and the number of its frames.</param>
     /// <param name="rate">Frames per second; null for the rate of the take.</param>
-    /// <exception cref="NeuronException">The part has no frame.</exception>
-    public TakePart(MotionSource take, TimeRange range, double? rate)
+    public TakePart(MotionSource take, (long First, long Count) part, double? rate)
     {
         _take = take;
-        (_first, long count) = range.FramesOf(take);
+        (_first, long count) = part;
         _last = _first + count - 1;
         FrameRate = rate ?? take.FrameRate;
         FrameCount = rate is null ? count : (long)Math.Floor(((count - 1) / take.FrameRate * FrameRate) + SameFrame) + 1;

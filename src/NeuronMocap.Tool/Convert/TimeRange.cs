@@ -17,6 +17,10 @@ internal readonly record struct TimeRange(double? From, double? To)
 
     public bool Contains(TimeSpan time) => time >= Start && (To is not { } end || time < TimeSpan.FromSeconds(end));
 
+    /// <summary>The reason if the range has no frame.</summary>
+    /// <param name="end">The end of the take.</param>
+    public static NeuronException NoFrames(TimeSpan end) => new(Quantity.Format($"No frames remain: the take ends at {end.TotalSeconds:0.###} s."));
+
     /// <summary>Gets the frames of a take in the range. Frames of a recording have their times of arrival.</summary>
     /// <param name="take">A take that has an end.</param>
     /// <returns>The first frame and the number of frames.</returns>
@@ -30,7 +34,7 @@ internal readonly record struct TimeRange(double? From, double? To)
         while (first < end && !Contains(recording.GetTime(first)))
             first++;
         if (first == end)
-            throw new NeuronException(Quantity.Format($"No frames remain: the take ends at {recording.GetTime(end - 1).TotalSeconds:0.###} s."));
+            throw NoFrames(recording.GetTime(end - 1));
 
         while (!Contains(recording.GetTime(end - 1)))
             end--;
@@ -49,6 +53,6 @@ internal readonly record struct TimeRange(double? From, double? To)
         long end = To is { } to ? Math.Min(count, (long)Math.Ceiling((to * rate) - Tolerance)) : count;
         return first < end
             ? (first, end - first)
-            : throw new NeuronException(Quantity.Format($"No frames remain: the take ends at {count / rate:0.###} s."));
+            : throw NoFrames(TimeSpan.FromSeconds(count / rate));
     }
 }

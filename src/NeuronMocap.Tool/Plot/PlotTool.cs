@@ -48,7 +48,7 @@ internal sealed class PlotTool(FileSettings settings, StandardStreams streams)
         }
 
         InputTake take = InputTake.Load(settings, kind, progress, cancellationToken);
-        var body = new BodyMotion(take.Range.IsAll ? take.Motion : new TakePart(take.Motion, take.Range, rate: null));
+        var body = new BodyMotion(take.Range.IsAll ? take.Motion : new TakePart(take.Motion, take.GetPart(), rate: null));
         string what = kind switch
         {
             FileKind.Calculation => "calculation export",
