@@ -39,7 +39,7 @@ internal sealed class TakeReading(Take take, string folder)
     /// <summary>Adds a performer.</summary>
     public PerformerWriter Open(AvatarName name, int avatarIndex, SkeletonBody body)
     {
-        var writer = new PerformerWriter(folder, $"{take.Id}-{_writers.Count}", _writers.Count, name, avatarIndex, body);
+        var writer = new PerformerWriter(size => new RecordFile(folder, size), $"{take.Id}-{_writers.Count}", _writers.Count, name, avatarIndex, body);
         take.Add(writer.Performer);
         _writers.Add(writer);
         return writer;
