@@ -28,12 +28,20 @@ internal sealed class TakeReading(Take take, string folder)
         {
             return;
         }
-        catch (Exception exception) when (exception is NeuronException or IOException or UnauthorizedAccessException or OutOfMemoryException)
+        catch (Exception exception)
         {
             take.AddProblem(FileFault.OfReading(exception, take.Name));
         }
 
-        Complete();
+        // Pages ask until a take is complete.
+        try
+        {
+            Complete();
+        }
+        finally
+        {
+            take.Report(1);
+        }
     }
 
     /// <summary>Adds a performer.</summary>
@@ -86,8 +94,6 @@ internal sealed class TakeReading(Take take, string folder)
 
         if (take.Problems.IsEmpty && take.Duration == TimeSpan.Zero && take.Performers.All(static performer => performer.Frames == 0))
             take.AddProblem("The file holds no frames.");
-
-        take.Report(1);
     }
 
     private void Finish(PerformerWriter writer)
