@@ -37,7 +37,7 @@ internal sealed class PerformerWriter
     {
         _name = name;
         _times = new TakeTimes();
-        _arrivals = new ArrivalQueue((frame, time) => Write(time, frame.Index, frame.Pose, frame.Measured));
+        _arrivals = new ArrivalQueue((frame, time) => Write(time, frame.Time, frame.Index, frame.Pose, frame.Measured));
         _contacts = new ContactFinder();
         int nameSize = SizeOf(name);
         RecordFile poses = create(CompactPose.MaxSize - ProtocolConstants.AvatarNameSize + nameSize);
@@ -74,7 +74,7 @@ internal sealed class PerformerWriter
         if (frameIndex is { } index)
             _arrivals.Add(microseconds, index, connection == _last.Connection ? distance : 0, local, measured, _timing.MeasuredRate);
         else
-            Write(microseconds, null, local, measured);
+            Write(microseconds, microseconds, null, local, measured);
 
         _last = (frameIndex, connection);
     }
@@ -115,7 +115,7 @@ internal sealed class PerformerWriter
         return (float)(2 * Math.Atan2(vector, Math.Abs(rotation.W)) * DegreesPerRadian);
     }
 
-    private void Write(long time, uint? frameIndex, ReadOnlySpan<BoneTransform> local, FootContacts? measured)
+    private void Write(long time, long arrival, uint? frameIndex, ReadOnlySpan<BoneTransform> local, FootContacts? measured)
     {
         // Later code relies on times that grow.
         long microseconds = Math.Max(time, _lastTime + 1);
@@ -137,7 +137,7 @@ internal sealed class PerformerWriter
         Performer.Poses.ThrowIfFull();
         Performer.Summaries.ThrowIfFull();
         _lastTime = microseconds;
-        bool isAfterGap = _times.Add(microseconds);
+        bool isAfterGap = _times.Add(microseconds, arrival);
         Performer.Poses.Append(_pose);
         Measure(microseconds, local, isAfterGap, measured);
     }
