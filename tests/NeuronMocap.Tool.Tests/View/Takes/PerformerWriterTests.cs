@@ -1,4 +1,3 @@
-using NeuronMocap.Protocol;
 using NeuronMocap.Server;
 using NeuronMocap.Skeleton;
 using NeuronMocap.Tool.Tests.Files;
