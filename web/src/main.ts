@@ -68,16 +68,6 @@ loop.add("camera", (_, step) => {
 const takes = createTakes(page);
 const characters = createCharacters(page, takes);
 const panel = new Panel(page, connection, takes, settings, views);
-let isFirstHello = true;
-connection.onMessage(message => {
-  if (message.type !== "hello")
-    return;
-
-  const take = message.mode === "take" ? message.take : undefined;
-  if (isFirstHello && take)
-    void notices.attempt(() => takes.open(take));
-  isFirstHello = false;
-});
 
 watchTheme(settings, dark => stage.paint(dark));
 settings.watch(now => {

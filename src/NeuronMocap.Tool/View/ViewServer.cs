@@ -30,7 +30,7 @@ internal sealed class ViewServer : IAsyncDisposable
     public static async Task<ViewServer> StartAsync(ViewOptions options, IReadOnlyList<IViewPart> parts)
     {
         string? token = options.Token ?? (options.NeedsToken ? System.Convert.ToHexStringLower(RandomNumberGenerator.GetBytes(TokenBytes)) : null);
-        var policy = new AccessPolicy(token, options.IsPublic, options.AllowedOrigins);
+        var policy = new AccessPolicy(token, isRandom: options.Token is null, options.IsPublic, options.AllowedOrigins);
         for (int port = options.Port ?? ViewOptions.DefaultPort; ; port++)
         {
             WebListener listener = WebListener.Create(new IPEndPoint(options.Bind, port), static limits => limits.MaxRequestBodySize = RequestGuard.UsualBody);

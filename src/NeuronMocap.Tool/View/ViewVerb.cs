@@ -48,10 +48,11 @@ internal sealed class ViewVerb : Verb
         Source source = result.GetValue(_source) ?? Source.Demo;
         ConnectionOptions connection = _connection.Read(result, source) with { RotationOrder = result.GetValue(_order), Duration = result.GetValue(_duration) };
         ViewOptions options = _view.Read(result, new ViewOptions(source, connection));
+        if ((connection.FindFault() ?? options.FindFault()) is { } fault)
+            return await RefuseAsync(streams, fault);
+
         FirstUse.Start();
-        return (connection.FindFault() ?? options.FindFault()) is { } fault
-            ? await RefuseAsync(streams, fault)
-            : await new ViewRun(options, streams).RunAsync(cancellationToken);
+        return await new ViewRun(options, streams).RunAsync(cancellationToken);
     }
 
     private void Reject(CommandResult result)

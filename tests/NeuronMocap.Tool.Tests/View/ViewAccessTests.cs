@@ -28,6 +28,18 @@ public sealed class ViewAccessTests
         Assert.NotEqual(HttpStatusCode.Unauthorized, await GetStatusAsync(client, "/app.js"));
     }
 
+    [Theory]
+    [InlineData("The token is not that of the running program.", "--token", "right")]
+    [InlineData("The token is not that of the running program. Each start of the program makes a new one.", "--bind", "0.0.0.0")]
+    public async Task A_wrong_token_is_explained(string expected, params string[] options)
+    {
+        await using RunningView view = await RunningView.StartAsync(["demo", .. options]);
+        using var client = new HttpClient { BaseAddress = view.Client.BaseAddress };
+        using HttpResponseMessage answer = await client.GetAsync("/api/hello?token=wrong", TestContext.Current.CancellationToken).Soon();
+        string text = await answer.Content.ReadAsStringAsync(TestContext.Current.CancellationToken);
+        Assert.Equal(expected, JsonDocument.Parse(text).RootElement.GetProperty("error").GetString());
+    }
+
     [Fact]
     public async Task The_token_comes_in_the_header_or_in_the_query()
     {

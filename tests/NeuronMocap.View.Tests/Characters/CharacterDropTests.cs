@@ -55,6 +55,19 @@ public sealed class CharacterDropTests(SharedBrowser browser) : IDisposable
         page.AssertClean();
     }
 
+    [Fact]
+    public async Task A_page_that_lacks_a_script_because_the_program_is_newer_says_so()
+    {
+        await CharacterSamples.WriteAsync(_folder.FullName);
+        await using RunningView view = await RunningView.StartAsync("demo");
+        await using TestPage page = await TestPage.OpenAsync(browser, view.Link, 320, 240);
+        await page.UntilMovingAsync();
+        await page.Page.RouteAsync("**/load-*.js", static route => route.FulfillAsync(new RouteFulfillOptions { Status = 404 }));
+        await page.DropAsync("boxes-1.vrm", await ReadAsync("boxes-1.vrm"));
+        await page.Page.GetByText("This page is older than the program. Reload it.").WaitForAsync();
+        page.AssertClean(static fault => fault.Contains("404", StringComparison.Ordinal));
+    }
+
     [Theory]
     [InlineData("empty.vrm", "empty.vrm is empty.")]
     [InlineData("picture.glb", "picture.glb is not a glTF or VRM file.")]

@@ -51,6 +51,15 @@ public sealed class LivePageTests(SharedBrowser browser)
         page.AssertClean();
     }
 
+    // A canvas with an alpha channel is blended with the page at every picture.
+    [Fact]
+    public async Task The_canvas_is_opaque()
+    {
+        await using RunningView view = await RunningView.StartAsync("demo");
+        await using TestPage page = await TestPage.OpenAsync(browser, view.Link);
+        Assert.False((await page.EvaluateAsync("() => document.querySelector('canvas').getContext('webgl2').getContextAttributes().alpha")).GetBoolean());
+    }
+
     [Fact]
     public async Task It_connects_again_when_the_program_returns()
     {

@@ -7,7 +7,7 @@ using NeuronMocap.View.Tests.Infrastructure;
 
 namespace NeuronMocap.View.Tests.Takes;
 
-// The program is started again while a page shows a take.
+// The program is started again while a page is open.
 public sealed class RestartTests(SharedBrowser browser) : IDisposable
 {
     private static readonly string Walk = Repository.PathOf("samples", "takes", "walk.bvh");
@@ -49,6 +49,21 @@ public sealed class RestartTests(SharedBrowser browser) : IDisposable
         await using RunningView again = await RunningView.StartAsync(_other, "--port", port);
         await page.UntilAsync("take => { const state = window.neuronMocap.state(); return state.take !== take && state.performers.length === 1 && state.performers[0].poses > 0; }", before.GetString());
         await page.Page.Locator(".readout .frame", new PageLocatorOptions { HasTextString = "of 12" }).WaitForAsync();
+        page.AssertClean(IsOfRestart);
+    }
+
+    [Fact]
+    public async Task A_page_of_the_stream_shows_the_file_that_the_new_program_shows()
+    {
+        string port = FreePort.Next().ToString(CultureInfo.InvariantCulture);
+        RunningView view = await RunningView.StartAsync("demo", "--port", port);
+        await using TestPage page = await TestPage.OpenAsync(browser, view.Link);
+        await page.UntilMovingAsync();
+        await view.DisposeAsync();
+        await page.UntilAsync("() => window.neuronMocap.state().connection === 'gone'");
+
+        await using RunningView again = await RunningView.StartAsync(Walk, "--port", port);
+        await UntilTakeAsync(page);
         page.AssertClean(IsOfRestart);
     }
 

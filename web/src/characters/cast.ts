@@ -1,4 +1,5 @@
 import type { Page, Takes } from "../page/page";
+import { describeMissing } from "../page/scripts";
 import { Character } from "./character";
 import { freeObject } from "./dispose";
 import type { CharacterFiles } from "./files";
@@ -67,7 +68,7 @@ export class Cast {
 
   private async _load(files: CharacterFiles<File>): Promise<void> {
     const { loadCharacter } = await import("./load").catch(() => {
-      throw new Error("The program does not answer. Load the page again once it runs.");
+      throw new Error(describeMissing(this._page.connection.state));
     });
     const loaded = await loadCharacter(files);
     let character: Character;

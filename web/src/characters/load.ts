@@ -67,12 +67,15 @@ function prepare(name: string, root: Object3D, vrm: VRM | null): LoadedCharacter
   return { name, root, vrm };
 }
 
-// three.js would fail at every picture.
+// three.js would fail at every picture. It skips joints without weight, which may have any number.
 function isBound({ geometry, skeleton }: SkinnedMesh): boolean {
   const joints = geometry.getAttribute("skinIndex");
+  const weights = geometry.getAttribute("skinWeight");
   for (let i = 0; i < (joints?.count ?? 0); i++) {
-    if (Math.max(joints.getX(i), joints.getY(i), joints.getZ(i), joints.getW(i)) >= skeleton.bones.length)
-      return false;
+    for (let slot = 0; slot < joints.itemSize; slot++) {
+      if (joints.getComponent(i, slot) >= skeleton.bones.length && weights?.getComponent(i, slot) !== 0)
+        return false;
+    }
   }
 
   return true;

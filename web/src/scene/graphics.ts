@@ -13,7 +13,7 @@ export interface Graphics {
 export function createGraphics(): Graphics {
   // Whether edges are smooth cannot be changed later. The first canvas tells who draws, and stays if that is the processor.
   const canvas = document.createElement("canvas");
-  const context = canvas.getContext("webgl2", { antialias: false, powerPreference: Power });
+  const context = canvas.getContext("webgl2", { alpha: false, antialias: false, powerPreference: Power });
   if (context && isDrawnBySoftware(context))
     return { renderer: new WebGLRenderer({ canvas, context }), isSoftware: true };
 

@@ -149,9 +149,12 @@ class TakeScreen implements Takes {
     progress.end();
   }
 
-  // A program that was started again has none of the takes that were open.
+  // A program that was started again has none of the takes that were open, and may show a file.
   private async _check(hello: Hello): Promise<void> {
     const player = this._player;
+    const offered = hello.mode === "take" && hello.take ? hello.take : null;
+    if (this._current === null && offered !== null)
+      await this.open(offered);
     if (this._current === null || this._current === hello.take)
       return;
 
@@ -162,8 +165,8 @@ class TakeScreen implements Takes {
         return;
 
       this._page.notices.problem(error.message);
-      if (hello.mode === "take" && hello.take)
-        await this.open(hello.take);
+      if (offered !== null)
+        await this.open(offered);
       else
         this.close();
     }

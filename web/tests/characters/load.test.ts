@@ -80,6 +80,21 @@ test("a vertex that follows a joint outside its skin is a damaged file, and no p
   await assert.rejects(loadCharacter({ main, parts: new Map() }), /^Error: broken\.glb is damaged: a part of it follows a joint that its skin does not have\.$/);
 });
 
+test("a joint without weight may be any number, as some programs write it", async () => {
+  const sample = makeSample({ vrm: null });
+  const { meshes, accessors, bufferViews } = sample.json as {
+    meshes: { primitives: { attributes: { JOINTS_0: number } }[] }[];
+    accessors: { bufferView: number; count: number }[];
+    bufferViews: { byteOffset: number }[];
+  };
+  const { bufferView, count } = accessors[meshes[0].primitives[0].attributes.JOINTS_0];
+  const joints = new Uint16Array(sample.binary, bufferViews[bufferView].byteOffset, count * 4);
+  for (let vertex = 0; vertex < count; vertex++)
+    joints[vertex * 4 + 3] = 0xffff;
+  const main = new File([toGlb(sample)], "unused.glb");
+  assert.equal((await loadCharacter({ main, parts: new Map() })).name, "unused.glb");
+});
+
 test("nodes in the pose of an animation return to the pose of the skin", async () => {
   const { skeleton: expected } = await load({ vrm: null, nameOf: mixamoName, lowered: 40, twisted: true });
   const { skeleton } = await load({ vrm: null, nameOf: mixamoName, lowered: 40, twisted: true, posed: 70 });

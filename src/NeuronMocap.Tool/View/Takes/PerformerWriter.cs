@@ -26,15 +26,22 @@ internal sealed class PerformerWriter
     private long _lastTime = long.MinValue;
     private long _measured;
 
-    public PerformerWriter(string folder, string key, int index, AvatarName name, int avatarIndex, SkeletonBody body)
+    /// <summary>Creates a performer without frames.</summary>
+    /// <param name="create">Creates a file of records of a size: for the poses, then for the summaries.</param>
+    /// <param name="key">Identifies the performer among those of all takes.</param>
+    /// <param name="index">Number of the performer in the take, from 0.</param>
+    /// <param name="name">Name of the avatar.</param>
+    /// <param name="avatarIndex">Number of the avatar in the file.</param>
+    /// <param name="body">The body.</param>
+    public PerformerWriter(Func<int, RecordFile> create, string key, int index, AvatarName name, int avatarIndex, SkeletonBody body)
     {
         _name = name;
         _times = new TakeTimes();
-        _arrivals = new ArrivalQueue((frame, time) => Write(time, frame.Index, frame.Pose, frame.Measured));
+        _arrivals = new ArrivalQueue((frame, time) => Write(time, frame.Time, frame.Index, frame.Pose, frame.Measured));
         _contacts = new ContactFinder();
         int nameSize = SizeOf(name);
-        var poses = new RecordFile(folder, CompactPose.MaxSize - ProtocolConstants.AvatarNameSize + nameSize);
-        var summaries = new RecordFile(folder, TakePerformer.SummaryValues * sizeof(float));
+        RecordFile poses = create(CompactPose.MaxSize - ProtocolConstants.AvatarNameSize + nameSize);
+        RecordFile summaries = create(TakePerformer.SummaryValues * sizeof(float));
         Performer = new TakePerformer(key, index, name.ToString(), avatarIndex, body, poses, summaries, _times, _contacts);
         ClearSummary();
     }
@@ -67,29 +74,38 @@ internal sealed class PerformerWriter
         if (frameIndex is { } index)
             _arrivals.Add(microseconds, index, connection == _last.Connection ? distance : 0, local, measured, _timing.MeasuredRate);
         else
-            Write(microseconds, null, local, measured);
+            Write(microseconds, microseconds, null, local, measured);
 
         _last = (frameIndex, connection);
     }
 
     /// <summary>Makes what was added readable.</summary>
+    /// <exception cref="IOException">Some of it has no room. The rest can be read.</exception>
     public void Flush()
     {
-        Performer.Poses.Flush();
-        Performer.Summaries.Flush();
         Performer.Rate = _timing.Rate;
+        try
+        {
+            Performer.Poses.Flush();
+        }
+        finally
+        {
+            Performer.Summaries.Flush();
+        }
     }
 
     /// <summary>Completes the performer.</summary>
+    /// <exception cref="IOException">Some of it has no room. The rest is complete.</exception>
     public void Finish()
     {
-        _arrivals.Finish(_timing.MeasuredRate);
-        TakeMeasured(atEnd: true);
-        if (_measured % TakeTimes.BlockSize != 0)
-            AppendSummary();
-
-        _contacts.Finish();
-        Flush();
+        try
+        {
+            _arrivals.Finish(_timing.MeasuredRate);
+        }
+        finally
+        {
+            FinishWritten();
+        }
     }
 
     /// <summary>The angle of a rotation in degrees, 0 to 180.</summary>
@@ -99,7 +115,7 @@ internal sealed class PerformerWriter
         return (float)(2 * Math.Atan2(vector, Math.Abs(rotation.W)) * DegreesPerRadian);
     }
 
-    private void Write(long time, uint? frameIndex, ReadOnlySpan<BoneTransform> local, FootContacts? measured)
+    private void Write(long time, long arrival, uint? frameIndex, ReadOnlySpan<BoneTransform> local, FootContacts? measured)
     {
         // Later code relies on times that grow.
         long microseconds = Math.Max(time, _lastTime + 1);
@@ -119,8 +135,9 @@ internal sealed class PerformerWriter
 
         // Every frame that has a time can be read.
         Performer.Poses.ThrowIfFull();
+        Performer.Summaries.ThrowIfFull();
         _lastTime = microseconds;
-        bool isAfterGap = _times.Add(microseconds);
+        bool isAfterGap = _times.Add(microseconds, arrival);
         Performer.Poses.Append(_pose);
         Measure(microseconds, local, isAfterGap, measured);
     }
@@ -174,6 +191,21 @@ internal sealed class PerformerWriter
 
             if (++_measured % TakeTimes.BlockSize == 0)
                 AppendSummary();
+        }
+    }
+
+    private void FinishWritten()
+    {
+        try
+        {
+            TakeMeasured(atEnd: true);
+            if (_measured % TakeTimes.BlockSize != 0)
+                AppendSummary();
+        }
+        finally
+        {
+            _contacts.Finish();
+            Flush();
         }
     }
 

@@ -21,11 +21,18 @@ internal sealed class RecordFile : IDisposable
     /// <param name="recordSize">Bytes in a record.</param>
     /// <exception cref="IOException">The file cannot be created.</exception>
     public RecordFile(string folder, int recordSize)
+        : this(Create(folder), recordSize)
+    {
+    }
+
+    /// <summary>Uses an empty file that is open for reading and writing.</summary>
+    /// <param name="file">The file, which this class closes.</param>
+    /// <param name="recordSize">Bytes in a record.</param>
+    public RecordFile(SafeFileHandle file, int recordSize)
     {
         RecordSize = recordSize;
         _buffer = new byte[Math.Max(recordSize, BufferSize / recordSize * recordSize)];
-        _file = File.OpenHandle(
-            Path.Combine(folder, ScratchFolder.NewName()), FileMode.CreateNew, FileAccess.ReadWrite, FileShare.Read | FileShare.Delete, FileOptions.DeleteOnClose);
+        _file = file;
     }
 
     public int RecordSize { get; }
@@ -108,4 +115,7 @@ internal sealed class RecordFile : IDisposable
     }
 
     public void Dispose() => _file.Dispose();
+
+    private static SafeFileHandle Create(string folder) => File.OpenHandle(
+        Path.Combine(folder, ScratchFolder.NewName()), FileMode.CreateNew, FileAccess.ReadWrite, FileShare.Read | FileShare.Delete, FileOptions.DeleteOnClose);
 }

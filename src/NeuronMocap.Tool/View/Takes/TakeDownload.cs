@@ -1,3 +1,4 @@
+using System.Collections.Immutable;
 using Microsoft.AspNetCore.Http;
 using Microsoft.Net.Http.Headers;
 using NeuronMocap.Tool.Convert;
@@ -34,10 +35,12 @@ internal sealed class TakeDownload(ScratchFolder scratch) : IDisposable
             return;
         }
 
+        bool hasOneAvatar = HasOneAvatar(kind, wanted);
+        (from, to) = FindArrival(hasOneAvatar ? [performer] : take.Performers, from, to);
         var settings = new FileSettings(take.Path, Path.Combine(scratch.Path, ScratchFolder.NewName() + extension))
         {
             InputName = take.Name,
-            Avatar = take.Kind is FileKind.Recording or FileKind.Raw && HasOneAvatar(kind, wanted) ? performer.AvatarIndex : null,
+            Avatar = take.Kind is FileKind.Recording or FileKind.Raw && hasOneAvatar ? performer.AvatarIndex : null,
             From = SecondsOf(from),
             To = SecondsOf(to),
         };
@@ -53,6 +56,13 @@ internal sealed class TakeDownload(ScratchFolder scratch) : IDisposable
     }
 
     public void Dispose() => _turn.Dispose();
+
+    // Frames of a recording have the times at which they were sent, and convert selects by arrival. Negative times are no limits.
+    private static (long From, long To) FindArrival(ImmutableArray<TakePerformer> performers, long from, long to)
+    {
+        TimeStretch[] arrivals = [.. performers.Select(performer => performer.Times.FindArrival(from, to))];
+        return (from < 0 ? from : arrivals.Min(static arrival => arrival.From), to < 0 ? to : arrivals.Max(static arrival => arrival.To));
+    }
 
     // The page knows the times of frames to a microsecond. A frame at the in point belongs to the part.
     private static double? SecondsOf(long microseconds) => microseconds < 0 ? null : Math.Max(0, microseconds - 1) / 1e6;

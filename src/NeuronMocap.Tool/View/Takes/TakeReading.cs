@@ -28,18 +28,26 @@ internal sealed class TakeReading(Take take, string folder)
         {
             return;
         }
-        catch (Exception exception) when (exception is NeuronException or IOException or UnauthorizedAccessException or OutOfMemoryException)
+        catch (Exception exception)
         {
             take.AddProblem(FileFault.OfReading(exception, take.Name));
         }
 
-        Complete();
+        // Pages ask until a take is complete.
+        try
+        {
+            Complete();
+        }
+        finally
+        {
+            take.Report(1);
+        }
     }
 
     /// <summary>Adds a performer.</summary>
     public PerformerWriter Open(AvatarName name, int avatarIndex, SkeletonBody body)
     {
-        var writer = new PerformerWriter(folder, $"{take.Id}-{_writers.Count}", _writers.Count, name, avatarIndex, body);
+        var writer = new PerformerWriter(size => new RecordFile(folder, size), $"{take.Id}-{_writers.Count}", _writers.Count, name, avatarIndex, body);
         take.Add(writer.Performer);
         _writers.Add(writer);
         return writer;
@@ -86,8 +94,6 @@ internal sealed class TakeReading(Take take, string folder)
 
         if (take.Problems.IsEmpty && take.Duration == TimeSpan.Zero && take.Performers.All(static performer => performer.Frames == 0))
             take.AddProblem("The file holds no frames.");
-
-        take.Report(1);
     }
 
     private void Finish(PerformerWriter writer)

@@ -5,7 +5,9 @@ namespace NeuronMocap.Tool.View.Takes;
 /// <summary>A part of the time of a take, in microseconds since its start.</summary>
 internal readonly record struct TimeStretch(long From, long To);
 
-/// <summary>The times of a performer's frames: the first of each block of frames, and the gaps. One thread adds, any thread reads.</summary>
+/// <summary>
+/// The times of a performer's frames: the first of each block of frames, the gaps, and when the frames of a block arrived. One thread adds, any thread reads.
+/// </summary>
 internal sealed class TakeTimes
 {
     /// <summary>Number of frames in a block.</summary>
@@ -21,6 +23,7 @@ internal sealed class TakeTimes
 
     private readonly Lock _lock = new();
     private readonly List<long> _blocks = [];
+    private readonly List<BlockArrival> _arrivals = [];
     private readonly List<TimeStretch> _gaps = [];
     private double _usualStep = double.NaN;
     private long _count;
@@ -32,8 +35,10 @@ internal sealed class TakeTimes
     public long End { get; private set; }
 
     /// <summary>Adds the time of the next frame.</summary>
+    /// <param name="microseconds">When it was sent, as far as that is known.</param>
+    /// <param name="arrival">When it arrived, not before the frame added last.</param>
     /// <returns>Whether a gap precedes the frame.</returns>
-    public bool Add(long microseconds)
+    public bool Add(long microseconds, long arrival)
     {
         lock (_lock)
         {
@@ -44,8 +49,13 @@ internal sealed class TakeTimes
                 isGap = AddStep(microseconds);
 
             if (_count % BlockSize == 0)
+            {
                 _blocks.Add(microseconds);
+                _arrivals.Add(new BlockArrival(arrival, 0));
+            }
 
+            BlockArrival block = _arrivals[^1];
+            _arrivals[^1] = block with { LongestDelay = Math.Max(block.LongestDelay, arrival - microseconds) };
             End = microseconds;
             _count++;
             return isGap;
@@ -82,6 +92,29 @@ internal sealed class TakeTimes
         }
     }
 
+    /// <summary>Finds when the frames of a part had arrived. Where frames were late, it can be the arrival of some more before and after the part.</summary>
+    /// <param name="from">Time of the first frame.</param>
+    /// <param name="to">Time after the last frame.</param>
+    public TimeStretch FindArrival(long from, long to)
+    {
+        lock (_lock)
+            return _count == 0 ? new TimeStretch(from, to) : new TimeStretch(Math.Max(from, _arrivals[FindBlock(from)].First), FindArrivalBefore(to));
+    }
+
+    private long FindArrivalBefore(long microseconds)
+    {
+        int block = FindBlock(microseconds);
+        long delay = _arrivals[block].LongestDelay;
+
+        // A shorter delay does not bring a frame beyond the next one.
+        if (!(delay > _usualStep * Microseconds) || microseconds <= Start)
+            return microseconds;
+
+        // More than the arrival of the last frame, because the end is not a part of a stretch, and the page rounds times to a microsecond.
+        long next = block + 1 < _arrivals.Count ? _arrivals[block + 1].First : long.MaxValue - 2;
+        return Math.Max(microseconds, Math.Min(microseconds + delay, next) + 2);
+    }
+
     private bool AddStep(long microseconds)
     {
         double step = (microseconds - End) / Microseconds;
@@ -93,4 +126,9 @@ internal sealed class TakeTimes
 
         return isGap;
     }
+
+    /// <summary>When the frames of a block arrived.</summary>
+    /// <param name="First">Arrival of the first frame.</param>
+    /// <param name="LongestDelay">The longest time from when a frame was sent to its arrival.</param>
+    private readonly record struct BlockArrival(long First, long LongestDelay);
 }

@@ -7,13 +7,15 @@ namespace NeuronMocap.Tool.View.Web;
 
 /// <summary>Decides who may use the server.</summary>
 /// <param name="token">The word that a browser must send; null for none.</param>
+/// <param name="isRandom">Whether the next start of the program has another token.</param>
 /// <param name="isPublic">Whether other computers can reach the server.</param>
 /// <param name="origins">The origins under which a proxy shows the page, such as https://show.example.</param>
-internal sealed class AccessPolicy(string? token, bool isPublic, IReadOnlyList<string> origins)
+internal sealed class AccessPolicy(string? token, bool isRandom, bool isPublic, IReadOnlyList<string> origins)
 {
     private const string Localhost = "localhost";
     private const string NoToken = "The address has no token, so the program does not know that you may see this.";
-    private const string WrongToken = "The token is not that of the running program. Each start of the program makes a new one.";
+    private const string WrongToken = "The token is not that of the running program.";
+    private const string NewToken = " Each start of the program makes a new one.";
 
     // The names of this computer. A name of somebody else leads here only by DNS rebinding.
     private readonly HashSet<string> _names = new((isPublic ? NamesOfThisComputer() : []).Concat(origins.Select(HostOf)), StringComparer.OrdinalIgnoreCase);
@@ -31,7 +33,7 @@ internal sealed class AccessPolicy(string? token, bool isPublic, IReadOnlyList<s
         if (!IsOriginAllowed(request))
             return (StatusCodes.Status403Forbidden, "Pages of other web sites may not use this server.");
         if (token is not null && !AccessToken.IsIn(request, token))
-            return (StatusCodes.Status401Unauthorized, AccessToken.IsGiven(request) ? WrongToken : NoToken);
+            return (StatusCodes.Status401Unauthorized, DescribeToken(request));
 
         return null;
     }
@@ -42,6 +44,8 @@ internal sealed class AccessPolicy(string? token, bool isPublic, IReadOnlyList<s
         string name = NameOf(host);
         return IPAddress.TryParse(name, out IPAddress? address) ? IPAddress.IsLoopback(address) : name.Equals(Localhost, StringComparison.OrdinalIgnoreCase);
     }
+
+    private string DescribeToken(HttpRequest request) => !AccessToken.IsGiven(request) ? NoToken : isRandom ? WrongToken + NewToken : WrongToken;
 
     // An address in digits is never the result of DNS rebinding.
     private bool IsHostAllowed(HostString host)

@@ -236,6 +236,34 @@ public sealed class TakeServiceTests
             Assert.Equal(RotationsOf(expected[frame]), RotationsOf(actual[frame]), static (a, b) => Math.Abs(a - b) < 1e-3f);
     }
 
+    // The page shows the frames evenly from 2 to 7 s, and they arrived at 7 s.
+    [Theory]
+    [InlineData("bvh", 0.001)]
+    [InlineData("nmrec", 0.001)]
+    [InlineData("nmrec", 0)]
+    [InlineData("csv", 0.001)]
+    public async Task A_part_whose_frames_arrived_later_is_downloaded(string format, double step)
+    {
+        using var takes = new OpenTakes();
+        string recording = takes.Record(Enumerable.Range(0, 600).Select(frame => (frame is < 120 or > 419 ? frame * 1000 / 60.0 : 6999 + (step * (frame - 120)), 0, frame)));
+        await using TakeClient client = await TakeClient.StartAsync();
+        await client.UploadAsync(recording);
+
+        using HttpResponseMessage part = await client.GetFileAsync($"takes/t1/download?format={format}&from=3000&to=6000");
+
+        Assert.Equal(HttpStatusCode.OK, part.StatusCode);
+        if (format == "csv")
+        {
+            Assert.InRange(CountRows(await part.Content.ReadAsStringAsync()), 180, 244);
+            return;
+        }
+
+        string file = client.Folder["part." + format];
+        await File.WriteAllBytesAsync(file, await part.Content.ReadAsByteArrayAsync());
+        JsonElement info = await client.OpenAsync(file);
+        Assert.InRange(info.GetProperty("performers")[0].GetProperty("frames").GetInt64(), 180, step > 0 ? 244 : 300);
+    }
+
     private static float[] RotationsOf(byte[] pose)
     {
         var transforms = new BoneTransform[BoneHierarchy.BoneCount];
