@@ -12,10 +12,10 @@ internal static class Repository
     {
         for (DirectoryInfo? folder = new(AppContext.BaseDirectory); folder is not null; folder = folder.Parent)
         {
-            if (File.Exists(Path.Combine(folder.FullName, "NeuronDataReader.sln")))
+            if (File.Exists(Path.Combine(folder.FullName, "NeuronDataReader.slnx")))
                 return folder.FullName;
         }
 
-        throw new InvalidOperationException($"No folder above {AppContext.BaseDirectory} holds NeuronDataReader.sln.");
+        throw new InvalidOperationException($"No folder above {AppContext.BaseDirectory} holds NeuronDataReader.slnx.");
     }
 }
