@@ -20,8 +20,8 @@ public sealed class CommandTests : IDisposable
         Assert.Equal(
             [_folder.PathOf(UpmTarball.NameOf(ThePackage.Staged)), _folder.PathOf(UnityPackageArchive.NameOf(ThePackage.Staged))],
             output.Split('\n', StringSplitOptions.RemoveEmptyEntries));
-        Assert.Equal(UpmTarball.Create(ThePackage.Staged), File.ReadAllBytes(_folder.PathOf(UpmTarball.NameOf(ThePackage.Staged))));
-        Assert.Equal(UnityPackageArchive.Create(ThePackage.Staged), File.ReadAllBytes(_folder.PathOf(UnityPackageArchive.NameOf(ThePackage.Staged))));
+        Assert.Equal(ThePackage.Tarball, File.ReadAllBytes(_folder.PathOf(UpmTarball.NameOf(ThePackage.Staged))));
+        Assert.Equal(ThePackage.AssetPackage, File.ReadAllBytes(_folder.PathOf(UnityPackageArchive.NameOf(ThePackage.Staged))));
     }
 
     [Fact]

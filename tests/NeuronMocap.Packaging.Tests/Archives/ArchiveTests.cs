@@ -9,13 +9,12 @@ namespace NeuronMocap.Packaging.Tests.Archives;
 
 public sealed partial class ArchiveTests
 {
-    private static readonly byte[] Tarball = UpmTarball.Create(ThePackage.Staged);
-    private static readonly byte[] AssetPackage = UnityPackageArchive.Create(ThePackage.Staged);
+    private static readonly IReadOnlyDictionary<string, byte[]> OpenedAssets = UnityPackageArchive.Read(ThePackage.AssetPackage);
 
     [Fact]
     public void The_tarball_holds_the_valid_package()
     {
-        StagedPackage opened = UpmTarball.Read(Tarball);
+        StagedPackage opened = UpmTarball.Read(ThePackage.Tarball);
 
         Assert.Equal(ThePackage.Staged.Files, opened.Files);
         Assert.Empty(PackageLint.Check(opened));
@@ -25,7 +24,7 @@ public sealed partial class ArchiveTests
     [Fact]
     public void The_asset_package_holds_the_same_files_without_the_tests()
     {
-        IReadOnlyDictionary<string, byte[]> opened = UnityPackageArchive.Read(AssetPackage);
+        IReadOnlyDictionary<string, byte[]> opened = OpenedAssets;
 
         foreach ((string path, byte[] content) in ThePackage.Staged.Files.Where(static file => !file.Key.EndsWith(".md", StringComparison.Ordinal) && !file.Key.StartsWith("Tests", StringComparison.Ordinal)))
             Assert.Equal(content, opened[$"Assets/NeuronMocap/{path.Replace("~", "", StringComparison.Ordinal)}"]);
@@ -43,7 +42,7 @@ public sealed partial class ArchiveTests
     [Fact]
     public void Pages_of_the_asset_package_link_to_its_own_files()
     {
-        IReadOnlyDictionary<string, byte[]> opened = UnityPackageArchive.Read(AssetPackage);
+        IReadOnlyDictionary<string, byte[]> opened = OpenedAssets;
         string[] links = [.. opened
             .Where(static file => file.Key.EndsWith(".md", StringComparison.Ordinal) && !file.Key.EndsWith("CHANGELOG.md", StringComparison.Ordinal))
             .SelectMany(static page => Link().Matches(Encoding.UTF8.GetString(page.Value)).Select(link => Resolve(page.Key, link.Groups["target"].Value)))];
@@ -58,7 +57,7 @@ public sealed partial class ArchiveTests
     [Fact]
     public void Every_asset_has_a_meta_and_a_unique_guid()
     {
-        IReadOnlyDictionary<string, byte[]> opened = UnityPackageArchive.Read(AssetPackage);
+        IReadOnlyDictionary<string, byte[]> opened = OpenedAssets;
         string[] assets = [.. opened.Keys.Where(static path => !AssetPath.IsMeta(path))];
         string[] wanted = [.. assets.Concat(AssetPath.FoldersOf(assets)).Where(static path => path != "Assets").Distinct().Order(StringComparer.Ordinal)];
 
@@ -68,15 +67,15 @@ public sealed partial class ArchiveTests
 
     [Fact]
     public void Nothing_in_the_asset_package_is_hidden_from_Unity() => Assert.DoesNotContain(
-        UnityPackageArchive.Read(AssetPackage).Keys,
+        OpenedAssets.Keys,
         static path => path.Split('/').Any(static name => name.EndsWith('~') || name.StartsWith('.')));
 
     [Fact]
     public void Packing_is_deterministic()
     {
         StagedPackage again = ThePackage.With(static _ => { });
-        Assert.Equal(Tarball, UpmTarball.Create(again));
-        Assert.Equal(AssetPackage, UnityPackageArchive.Create(again));
+        Assert.True(ThePackage.Tarball.AsSpan().SequenceEqual(UpmTarball.Create(again)));
+        Assert.True(ThePackage.AssetPackage.AsSpan().SequenceEqual(UnityPackageArchive.Create(again)));
     }
 
     // Opening an archive detects a changed byte, a missing meta file and a file in the wrong place.
@@ -95,7 +94,7 @@ public sealed partial class ArchiveTests
     {
         Assert.SkipUnless(Tool.Exists("tar"), "There is no tar.");
         using var folder = new TemporaryFolder();
-        foreach ((byte[] archive, int files) in new[] { (Tarball, ThePackage.Staged.Files.Count), (AssetPackage, 0) })
+        foreach ((byte[] archive, int files) in new[] { (ThePackage.Tarball, ThePackage.Staged.Files.Count), (ThePackage.AssetPackage, 0) })
         {
             await File.WriteAllBytesAsync(folder.PathOf("archive"), archive, TestContext.Current.CancellationToken);
             string listing = await Tool.RunAsync(folder.Path, "tar", "-tvzf", "archive");

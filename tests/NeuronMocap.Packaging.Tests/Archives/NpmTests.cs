@@ -15,7 +15,7 @@ public sealed class NpmTests
         using var folder = new TemporaryFolder();
         folder.Write("package.json", CreateProject(folder));
         string tarball = folder.PathOf(UpmTarball.NameOf(ThePackage.Staged));
-        await File.WriteAllBytesAsync(tarball, UpmTarball.Create(ThePackage.Staged), TestContext.Current.CancellationToken);
+        await File.WriteAllBytesAsync(tarball, ThePackage.Tarball, TestContext.Current.CancellationToken);
 
         await Tool.RunAsync(
             folder.Path, "npm", "install", "--offline", "--no-audit", "--no-fund", "--ignore-scripts", "--cache", folder.PathOf("cache"), tarball);

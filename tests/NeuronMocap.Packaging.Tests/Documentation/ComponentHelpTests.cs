@@ -8,14 +8,12 @@ namespace NeuronMocap.Packaging.Tests.Documentation;
 /// <summary>The help button and the icon of every component in the menu.</summary>
 public sealed partial class ComponentHelpTests
 {
-    private static readonly PackageSources Sources = PackageSources.Load();
-
     [Fact]
     public void Every_component_has_a_help_page_with_its_heading()
     {
         string page = File.ReadAllText(Repository.PathOf("unity-package", "Documentation~", "components.md"));
-        Assert.NotEmpty(Sources.Components);
-        Assert.All(Sources.Components, component =>
+        Assert.NotEmpty(PackageSources.All.Components);
+        Assert.All(PackageSources.All.Components, component =>
         {
             string anchor = component.Menu.ToLowerInvariant().Replace(' ', '-');
             Assert.Contains($"[HelpURL(HelpPage.Components + \"#{anchor}\")]", component.Type.AttributeLists.ToString(), StringComparison.Ordinal);
@@ -39,7 +37,7 @@ public sealed partial class ComponentHelpTests
         HashSet<string> pictures = [.. ThePackage.Staged.AssetFiles
             .Where(static path => path.EndsWith(".png", StringComparison.Ordinal))
             .Select(static path => MetaFile.FindGuid(ThePackage.Staged.ReadMeta(path)!)!)];
-        Assert.All(Sources.Components, component =>
+        Assert.All(PackageSources.All.Components, component =>
         {
             string name = component.Type.Identifier.Text;
             string source = Assert.Single(ThePackage.Staged.AssetFiles, path => AssetPath.NameOf(path) == $"{name}.cs");

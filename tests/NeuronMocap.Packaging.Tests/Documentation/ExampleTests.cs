@@ -6,6 +6,8 @@ namespace NeuronMocap.Packaging.Tests.Documentation;
 // The scripts on the pages are compiled unchanged. The marker <!-- program: SDK --> precedes the program of a server.
 public sealed partial class ExampleTests
 {
+    private static readonly UnityCompiler Compiler = new(ThePackage.Staged, isEditor: false);
+
     public static TheoryData<string, string> Scripts => Find(isProgram: false);
 
     public static TheoryData<string, string> Programs => Find(isProgram: true);
@@ -13,7 +15,7 @@ public sealed partial class ExampleTests
     [Theory]
     [MemberData(nameof(Scripts))]
     public void An_example_compiles_with_the_package(string page, string code) =>
-        Assert.Empty(new UnityCompiler(ThePackage.Staged, isEditor: false).FindErrors(code).Select(problem => $"{page}: {problem}"));
+        Assert.Empty(Compiler.FindErrors(code).Select(problem => $"{page}: {problem}"));
 
     [Theory]
     [MemberData(nameof(Programs))]
@@ -26,7 +28,7 @@ public sealed partial class ExampleTests
 
     [Fact]
     public void An_example_with_an_unknown_name_does_not_compile() =>
-        Assert.NotEmpty(new UnityCompiler(ThePackage.Staged, isEditor: false).FindErrors("class Example { NeuronMocap.Unity.MocapSauce source; }"));
+        Assert.NotEmpty(Compiler.FindErrors("class Example { NeuronMocap.Unity.MocapSauce source; }"));
 
     private static TheoryData<string, string> Find(bool isProgram)
     {

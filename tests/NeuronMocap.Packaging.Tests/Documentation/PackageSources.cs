@@ -11,6 +11,7 @@ namespace NeuronMocap.Packaging.Tests.Documentation;
 /// <summary>The types of the package's runtime sources, and the enumerations of the library that its fields use.</summary>
 internal sealed partial class PackageSources
 {
+    private static readonly Lazy<PackageSources> Loaded = new(Load);
     private readonly ILookup<string, TypeDeclarationSyntax> _types;
     private readonly Dictionary<string, EnumDeclarationSyntax> _enums;
 
@@ -25,8 +26,7 @@ internal sealed partial class PackageSources
             .ToDictionary(static declaration => declaration.Identifier.Text, StringComparer.Ordinal);
     }
 
-    public static PackageSources Load() => new(
-        Parse(Path.Combine(ThePackage.Folder, "Runtime")).Concat(Parse(Path.Combine(ThePackage.Folder, "LiveCapture"))), Parse(Repository.PathOf("src", "NeuronMocap")));
+    public static PackageSources All => Loaded.Value;
 
     /// <summary>The components of the menu, by their menu names.</summary>
     public IEnumerable<(string Menu, TypeDeclarationSyntax Type)> Components => _types
@@ -82,11 +82,17 @@ internal sealed partial class PackageSources
         .Select(static attribute => ((LiteralExpressionSyntax)attribute.ArgumentList!.Arguments[0].Expression).Token.ValueText)
         .FirstOrDefault(static menu => menu.StartsWith("NeuronMocap/", StringComparison.Ordinal))?["NeuronMocap/".Length..];
 
-    // Compiles like Unity's editor.
-    private static IEnumerable<SyntaxNode> Parse(string folder) => Directory.EnumerateFiles(folder, "*.cs", SearchOption.AllDirectories)
+    private static PackageSources Load() => new(
+        Parse(Path.Combine(ThePackage.Folder, "Runtime")).Concat(Parse(Path.Combine(ThePackage.Folder, "LiveCapture"))),
+        Parse(Repository.PathOf("src", "NeuronMocap"), "enum "));
+
+    // Compiles like Unity's editor the files that contain a text.
+    private static IEnumerable<SyntaxNode> Parse(string folder, string text = "") => Directory.EnumerateFiles(folder, "*.cs", SearchOption.AllDirectories)
         .Where(static file => !file.Contains($"{Path.DirectorySeparatorChar}obj{Path.DirectorySeparatorChar}", StringComparison.Ordinal))
         .Order(StringComparer.Ordinal)
-        .Select(static file => CSharpSyntaxTree.ParseText(File.ReadAllText(file), new CSharpParseOptions(LanguageVersion.Latest, preprocessorSymbols: ["UNITY_EDITOR", "UNITY_2021_3_OR_NEWER"])).GetRoot());
+        .Select(File.ReadAllText)
+        .Where(source => source.Contains(text, StringComparison.Ordinal))
+        .Select(static source => CSharpSyntaxTree.ParseText(source, new CSharpParseOptions(LanguageVersion.Latest, preprocessorSymbols: ["UNITY_EDITOR", "UNITY_2021_3_OR_NEWER"])).GetRoot());
 
     [GeneratedRegex("^\\s*///", RegexOptions.Multiline, matchTimeoutMilliseconds: 1000)]
     private static partial Regex CommentMark();

@@ -27,12 +27,14 @@ internal static class ServerCompiler
         .Append(Repository.PathOf("src", "NeuronMocap.RabbitMq", "bin", ThePackage.Configuration, "netstandard2.1", "NeuronMocap.RabbitMq.dll"))
         .Select(static file => MetadataReference.CreateFromFile(file))];
 
-    public static IEnumerable<Diagnostic> FindErrors(string program) => CSharpCompilation
-        .Create(
-            "Server",
-            [CSharpSyntaxTree.ParseText(ImplicitUsings), CSharpSyntaxTree.ParseText(program)],
-            References,
-            new CSharpCompilationOptions(OutputKind.ConsoleApplication, nullableContextOptions: NullableContextOptions.Enable))
+    private static readonly CSharpCompilation Project = CSharpCompilation.Create(
+        "Server",
+        [CSharpSyntaxTree.ParseText(ImplicitUsings)],
+        References,
+        new CSharpCompilationOptions(OutputKind.ConsoleApplication, nullableContextOptions: NullableContextOptions.Enable));
+
+    public static IEnumerable<Diagnostic> FindErrors(string program) => Project
+        .AddSyntaxTrees(CSharpSyntaxTree.ParseText(program))
         .GetDiagnostics(TestContext.Current.CancellationToken)
         .Where(static problem => problem.Severity == DiagnosticSeverity.Error);
 }

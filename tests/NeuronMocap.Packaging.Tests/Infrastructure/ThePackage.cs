@@ -1,6 +1,7 @@
 using System.Reflection;
 using NeuronMocap.Tests.Infrastructure;
 using NeuronMocap.UnityPackager;
+using NeuronMocap.UnityPackager.Archives;
 
 namespace NeuronMocap.Packaging.Tests.Infrastructure;
 
@@ -9,6 +10,8 @@ internal static class ThePackage
 {
     private static readonly string Built = typeof(ThePackage).Assembly.GetCustomAttribute<AssemblyConfigurationAttribute>()!.Configuration;
     private static readonly Lazy<StagedPackage> Loaded = new(static () => StagedPackage.Load(new PackageFolder(Folder), Repository.Root, Built));
+    private static readonly Lazy<byte[]> PackedTarball = new(static () => UpmTarball.Create(Staged));
+    private static readonly Lazy<byte[]> PackedAssets = new(static () => UnityPackageArchive.Create(Staged));
 
     public static string Folder => Repository.PathOf("unity-package");
 
@@ -16,6 +19,12 @@ internal static class ThePackage
     public static string Configuration => Built;
 
     public static StagedPackage Staged => Loaded.Value;
+
+    /// <summary>The archive for the package manager.</summary>
+    public static byte[] Tarball => PackedTarball.Value;
+
+    /// <summary>The archive that Unity imports.</summary>
+    public static byte[] AssetPackage => PackedAssets.Value;
 
     /// <summary>Returns a changed copy.</summary>
     public static StagedPackage With(Action<Dictionary<string, byte[]>> change)

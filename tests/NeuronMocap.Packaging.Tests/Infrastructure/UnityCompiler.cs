@@ -22,30 +22,35 @@ internal sealed class UnityCompiler
     private readonly StagedPackage _package;
     private readonly MetadataReference[] _unity;
     private readonly CSharpParseOptions _options;
+    private readonly IReadOnlyList<AssemblyDefinition> _all;
+    private readonly AssemblyDefinition[] _usable;
+    private readonly Dictionary<string, MetadataReference> _libraries = new(StringComparer.Ordinal);
     private readonly Dictionary<string, MetadataReference> _installed = new(StringComparer.Ordinal);
     private readonly Dictionary<string, MetadataReference> _compiled = new(StringComparer.Ordinal);
 
-    public UnityCompiler(StagedPackage package, bool isEditor, bool hasOtherPackages = false)
+    public UnityCompiler(StagedPackage package, bool isEditor)
     {
-        if (hasOtherPackages)
-        {
-            foreach (string other in OtherPackages)
-                _installed.Add(other, StandIn(other));
-        }
-
         _package = package;
         _unity = [StandIn("UnityEngine"), .. isEditor ? (MetadataReference[])[StandIn("UnityEditor")] : []];
         _options = new(LanguageVersion.CSharp9, DocumentationMode.None, preprocessorSymbols: ["UNITY_2021_3_OR_NEWER", .. isEditor ? (string[])["UNITY_EDITOR"] : []]);
-        Definitions = [.. AssemblyDefinition.FindAll(package).Where(definition => !definition.IsTest && (isEditor || !definition.IsEditorOnly) && (hasOtherPackages || !definition.NeedsOtherPackage))];
+        _all = AssemblyDefinition.FindAll(package);
+        _usable = [.. _all.Where(definition => !definition.IsTest && (isEditor || !definition.IsEditorOnly))];
     }
 
-    /// <summary>The assembly definitions, without tests.</summary>
-    public AssemblyDefinition[] Definitions { get; }
+    /// <summary>The assembly definitions, without tests and without those that need a package that is not installed.</summary>
+    public AssemblyDefinition[] Definitions => [.. _usable.Where(definition => _installed.Count > 0 || !definition.NeedsOtherPackage)];
 
     /// <summary>The names of the compiled assemblies.</summary>
     public IReadOnlyCollection<string> Compiled => _compiled.Keys;
 
-    /// <summary>Compiles all assemblies, references first. Fails with the first errors.</summary>
+    /// <summary>Installs the packages that a project may lack.</summary>
+    public void InstallOtherPackages()
+    {
+        foreach (string other in OtherPackages)
+            _installed.Add(other, StandIn(other));
+    }
+
+    /// <summary>Compiles all assemblies that are not compiled yet, references first. Fails with the first errors.</summary>
     public void CompileAll()
     {
         while (Definitions.FirstOrDefault(definition => !_compiled.ContainsKey(definition.Name) && definition.References.All(Exists)) is { } definition)
@@ -68,7 +73,7 @@ internal sealed class UnityCompiler
     private void CompileOne(AssemblyDefinition definition)
     {
         SyntaxTree[] sources = [.. _package.AssetFiles
-            .Where(path => path.EndsWith(".cs", StringComparison.Ordinal) && AssemblyDefinition.Owning(path, Definitions) == definition)
+            .Where(path => path.EndsWith(".cs", StringComparison.Ordinal) && AssemblyDefinition.Owning(path, _all) == definition)
             .Select(path => CSharpSyntaxTree.ParseText(_package.ReadText(path), _options, path))];
         Assert.NotEmpty(sources);
 
@@ -83,7 +88,13 @@ internal sealed class UnityCompiler
         .Diagnostics
         .Where(static problem => problem.Severity == DiagnosticSeverity.Error);
 
-    private MetadataReference Library(string name) => MetadataReference.CreateFromImage(_package.Files[$"{MirroredFile.Libraries}/{name}"]);
+    private MetadataReference Library(string name)
+    {
+        if (!_libraries.TryGetValue(name, out MetadataReference? library))
+            _libraries.Add(name, library = MetadataReference.CreateFromImage(_package.Files[$"{MirroredFile.Libraries}/{name}"]));
+
+        return library;
+    }
 
     private static PortableExecutableReference StandIn(string assembly) =>
         MetadataReference.CreateFromFile(Repository.PathOf("tests", "Unity", assembly, "bin", ThePackage.Configuration, "netstandard2.1", $"{assembly}.dll"));

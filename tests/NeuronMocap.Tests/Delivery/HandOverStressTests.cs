@@ -14,7 +14,7 @@ public sealed class HandOverStressTests
 {
     private const int LeastTaken = 1_000;
 
-    private static readonly TimeSpan LeastTime = TimeSpan.FromSeconds(0.7);
+    private static readonly TimeSpan LeastTime = TimeSpan.FromSeconds(0.35);
 
     // The number of packets that the consumer has taken.
     private int _taken;

@@ -232,7 +232,7 @@ public sealed class PacketScannerTests
         {
             var scan = ScanAll.Of(pieces);
 
-            Assert.Equal(packets, scan.Packets.Select(packet => packet.Bytes));
+            Same.Packets(packets, scan.Packets.Select(packet => packet.Bytes));
             Assert.Equal(skipped, scan.Skipped);
             Assert.Equal(unknownVersions, scan.UnknownVersions);
             Assert.Equal(0, scan.Pending);

@@ -11,6 +11,7 @@ public class StreamFixtureTests
     public void Packets_of_the_test_encoder_are_found_exactly(string name, Splitting splitting)
     {
         StreamFixture fixture = Load(name);
+        var verified = new FoundPacket?[fixture.Expected.Count];
         foreach (IEnumerable<ArraySegment<byte>> pieces in Splits.Of(fixture.Bytes, splitting))
         {
             var scan = ScanAll.Of(pieces);
@@ -18,7 +19,13 @@ public class StreamFixtureTests
 
             Assert.Equal(fixture.Expected.Count, delivered.Length);
             for (int i = 0; i < delivered.Length; i++)
+            {
+                if (AreSame(verified[i], delivered[i]))
+                    continue;
+
                 AssertEqual(fixture.Expected[i], delivered[i]);
+                verified[i] = delivered[i];
+            }
 
             Assert.Equal(fixture.Bytes.Length, scan.Packets.Sum(packet => packet.Bytes.Length) + scan.Skipped + scan.Pending);
         }
@@ -60,7 +67,7 @@ public class StreamFixtureTests
                 Assert.Equal(
                     (PacketKind.Motion, DataVersion.None, expected.Avatar, expected.Name, (uint?)null, expected.Values.Length),
                     (log.Packets[i].Kind, header.Version, header.AvatarIndex, header.AvatarName.ToString(), header.FrameIndex, header.ValueCount));
-                Assert.Equal(expected.Values, MemoryMarshal.Cast<byte, float>(image.AsSpan(64)).ToArray());
+                Same.Items(expected.Values, MemoryMarshal.Cast<byte, float>(image.AsSpan(64)).ToArray());
             }
 
             Assert.Equal((fixture.Bytes.Length, 0, 0), (log.Text, log.Skipped, assembler.PendingBytes));
@@ -84,6 +91,8 @@ public class StreamFixtureTests
 
     /// <summary>Loads a stream. Derived classes load another encoder's streams.</summary>
     internal virtual StreamFixture Load(string name) => StreamFixture.Load(name);
+
+    private static bool AreSame(FoundPacket? one, FoundPacket other) => one?.Kind == other.Kind && one.Bytes.AsSpan().SequenceEqual(other.Bytes);
 
     private static bool CarriesValues(FoundPacket packet) => packet.Kind != PacketKind.Command && packet.Bytes.Length > 64;
 

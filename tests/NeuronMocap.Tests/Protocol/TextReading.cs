@@ -18,7 +18,7 @@ internal static class TextReading
     {
         PacketLog whole = Push([bytes]);
         PacketLog dripping = Push(bytes.Select(value => (byte[])[value]));
-        Assert.Equal(whole.Packets.Select(packet => packet.Bytes), dripping.Packets.Select(packet => packet.Bytes));
+        Same.Packets(whole.Packets.Select(packet => packet.Bytes), dripping.Packets.Select(packet => packet.Bytes));
         Assert.Equal((whole.Skipped, whole.Text), (dripping.Skipped, dripping.Text));
         return whole;
     }

@@ -10,7 +10,7 @@ public sealed partial class StarvedStartTests
 {
     private const int MostStarts = 3;
 
-    private static readonly TimeSpan Soon = TimeSpan.FromSeconds(5);
+    private static readonly TimeSpan Soon = TimeSpan.FromSeconds(1);
 
     [Theory]
     [InlineData("127.0.0.1")]

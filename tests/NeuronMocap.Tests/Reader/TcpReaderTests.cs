@@ -229,8 +229,7 @@ public sealed class TcpReaderTests : IDisposable
         for (int i = 0; i < FrameCount; i++)
         {
             Assert.Equal((uint)i, frames[i].FrameIndex);
-            for (int v = 0; v < 354; v++)
-                Assert.Equal(TestPackets.Value(i, 0, v), frames[i].Values[v]);
+            Same.Items(Enumerable.Range(0, 354).Select(value => TestPackets.Value(i, 0, value)), frames[i].Values.ToArray());
         }
     }
 }

@@ -47,7 +47,7 @@ public sealed partial class ByteReceiverTests
     {
         byte[] bytes = TestPackets.Motions(0, 2000);
         PacketLog log = await ReceiveAsync(BlockingOf([bytes]));
-        Assert.Equal(bytes, log.Packets.SelectMany(static packet => packet.Bytes));
+        Same.Items(bytes, log.Packets.SelectMany(static packet => packet.Bytes));
     }
 
     private static BlockingStreamReceiver BlockingOf(IEnumerable<byte[]> pieces) => new(new FedStream().Feed([.. pieces]).End(), leaveOpen: false);
@@ -74,29 +74,13 @@ public sealed partial class ByteReceiverTests
 
     private static void AssertReceived(PacketLog log)
     {
-        Assert.Equal(Packets, log.Packets.Select(static packet => packet.Bytes));
+        Same.Packets(Packets, log.Packets.Select(static packet => packet.Bytes));
         Assert.Equal(2 * Noise.Length, log.Skipped);
     }
 
-    // xunit compares collections of collections slowly, and most of these are the same.
     private static void AssertSame(PacketLog expected, PacketLog log)
     {
-        if (!AreSame(expected, log))
-            Assert.Equal(expected.Packets.Select(static packet => packet.Bytes), log.Packets.Select(static packet => packet.Bytes));
+        Same.Packets(expected.Packets.Select(static packet => packet.Bytes), log.Packets.Select(static packet => packet.Bytes));
         Assert.Equal((expected.Skipped, expected.Text), (log.Skipped, log.Text));
-    }
-
-    private static bool AreSame(PacketLog expected, PacketLog log)
-    {
-        if (expected.Packets.Count != log.Packets.Count)
-            return false;
-
-        for (int i = 0; i < expected.Packets.Count; i++)
-        {
-            if (!expected.Packets[i].Bytes.AsSpan().SequenceEqual(log.Packets[i].Bytes))
-                return false;
-        }
-
-        return true;
     }
 }

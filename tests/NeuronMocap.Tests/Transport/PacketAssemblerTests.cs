@@ -111,7 +111,7 @@ public sealed class PacketAssemblerTests
         foreach (byte[] piece in pieces)
             assembler.Push(piece, 0);
 
-        Assert.Equal(Expected, log.Packets.Select(packet => packet.Bytes));
+        Same.Packets(Expected, log.Packets.Select(packet => packet.Bytes));
         Assert.Equal(4 * Noise.Length, log.Skipped);
         Assert.Equal(0, assembler.PendingBytes);
     }

@@ -268,7 +268,7 @@ public sealed class UdpSendersTests
                 Push(10_000 + (i * 4) + forged, TestPackets.Motion(9), seconds: (i * 0.016) + 0.002);
         }
 
-        Assert.Equal(
+        Same.Packets(
             Enumerable.Range(0, 600).Select(i => TestPackets.Motion(i)),
             _log.Packets.Where(packet => packet.Sender == 0).Select(packet => packet.Bytes));
         Assert.InRange(_senders.Count, 1, 64);

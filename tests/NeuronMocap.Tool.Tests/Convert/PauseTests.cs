@@ -11,7 +11,7 @@ namespace NeuronMocap.Tool.Tests.Convert;
 /// <summary>Pauses of servers whose clock differs from the usual rate, or whose frames have no numbers at first.</summary>
 public sealed class PauseTests : IDisposable
 {
-    private const int Before = 150 * 60;
+    private const int Before = 90 * 60;
     private const int Frames = Before + (12 * 60);
 
     private readonly TemporaryFolder _folder = new();

@@ -120,9 +120,9 @@ public sealed class PlayTests : IDisposable
     public async Task The_simulator_names_the_wrong_option(int code, string named, params string[] args)
     {
         string[] real = [.. args.Select(argument => argument == "FILE" ? _recording : argument)];
-        using var simulator = new ToolProcess("neuron-mocap simulate", real);
-        Assert.Equal(code, await simulator.WaitForExitAsync());
-        Assert.Contains(named, await simulator.ReadErrorAsync(), StringComparison.Ordinal);
+        ToolResult result = await ToolRunner.RunAsync(["simulate", .. real]);
+        Assert.Equal(code, result.ExitCode);
+        Assert.Contains(named, string.Join('\n', result.Error), StringComparison.Ordinal);
     }
 
     [Fact]

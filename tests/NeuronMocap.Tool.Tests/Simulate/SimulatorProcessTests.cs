@@ -41,9 +41,9 @@ public sealed class SimulatorProcessTests
     [InlineData("studio")]
     public async Task Bad_usage_is_one_line_that_says_where_help_is_and_ends_with_2(params string[] args)
     {
-        using var simulator = new ToolProcess(Program, args);
-        Assert.Equal(2, await simulator.WaitForExitAsync());
-        string line = Assert.Single((await simulator.ReadErrorAsync()).Split('\n', StringSplitOptions.RemoveEmptyEntries));
+        ToolResult result = await ToolRunner.RunAsync(["simulate", .. args]);
+        Assert.Equal(2, result.ExitCode);
+        string line = Assert.Single(result.Error);
         Assert.StartsWith("neuron-mocap: ", line, StringComparison.Ordinal);
         Assert.EndsWith(" neuron-mocap simulate --help lists the options.", line.TrimEnd(), StringComparison.Ordinal);
     }
@@ -52,9 +52,8 @@ public sealed class SimulatorProcessTests
     [Fact]
     public async Task Every_option_with_a_wrong_or_a_second_value_is_one_line_and_ends_with_2()
     {
-        using var helper = new ToolProcess(Program, "--help");
-        string help = await helper.Output.ReadToEndAsync(TestContext.Current.CancellationToken);
-        string[] options = [.. help.Split('\n').Where(static line => line.StartsWith("  --", StringComparison.Ordinal) && line.Contains('<', StringComparison.Ordinal)).Select(static line => line.Split(' ', ',')[2])];
+        string[] help = (await ToolRunner.RunAsync("simulate", "--help")).Output;
+        string[] options = [.. help.Where(static line => line.StartsWith("  --", StringComparison.Ordinal) && line.Contains('<', StringComparison.Ordinal)).Select(static line => line.Split(' ', ',')[2])];
         Assert.True(options.Length > 15, "The options are not found in the help.");
         foreach (string option in options)
         {
@@ -63,10 +62,9 @@ public sealed class SimulatorProcessTests
             string[][] commands = isFile ? [[option, "x", option, "x"]] : option is "--udp" ? [[option, "x"]] : [[option, "x"], [option, "x", option, "x"]];
             foreach (string[] args in commands)
             {
-                using var simulator = new ToolProcess(Program, args);
-                Assert.True(await simulator.WaitForExitAsync() == 2, string.Join(' ', args));
-                string line = Assert.Single((await simulator.ReadErrorAsync()).Split('\n', StringSplitOptions.RemoveEmptyEntries));
-                Assert.Contains(option, line, StringComparison.Ordinal);
+                ToolResult result = await ToolRunner.RunAsync(["simulate", .. args]);
+                Assert.True(result.ExitCode == 2, string.Join(' ', args));
+                Assert.Contains(option, Assert.Single(result.Error), StringComparison.Ordinal);
             }
         }
     }
@@ -303,9 +301,9 @@ public sealed class SimulatorProcessTests
 
     private static async Task<string> FailAsync(string option, string path)
     {
-        using var simulator = new ToolProcess(Program, "--port", "0", option, path);
-        Assert.Equal(1, await simulator.WaitForExitAsync());
-        string line = Assert.Single((await simulator.ReadErrorAsync()).Split('\n', StringSplitOptions.RemoveEmptyEntries));
+        ToolResult result = await ToolRunner.RunAsync("simulate", "--port", "0", option, path);
+        Assert.Equal(1, result.ExitCode);
+        string line = Assert.Single(result.Error);
         Assert.StartsWith($"neuron-mocap: {option}: ", line, StringComparison.Ordinal);
         Assert.Contains(path, line, StringComparison.Ordinal);
         return line;

@@ -119,7 +119,7 @@ public sealed class RecordingFormatTests
                 Assert.NotEqual(RecordingEntryKind.Bytes, entry.Kind);
 
             reader.Seek(TimeSpan.Zero);
-            Assert.Equal(Enumerable.Range(0, Count), Recordings.Numbers(reader, Size));
+            Same.Items(Enumerable.Range(0, Count), Recordings.Numbers(reader, Size));
             Assert.Throws<ArgumentOutOfRangeException>(() => reader.Seek(Recordings.Ticks(-1)));
         }
     }

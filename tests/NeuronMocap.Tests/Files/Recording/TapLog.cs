@@ -33,7 +33,7 @@ internal sealed class TapLog : IStreamListener
     public void AssertRecorded(IReadOnlyList<RecordedEntry> entries)
     {
         RecordedEntry[] pieces = [.. entries.Where(entry => entry.Kind == RecordingEntryKind.Bytes)];
-        Assert.Equal(Pieces.Select(piece => (piece.Connection, piece.Source, piece.Bytes)), pieces.Select(piece => (piece.Connection, piece.Sender, piece.Bytes)));
+        Same.Items(Pieces.Select(piece => (piece.Connection, piece.Source, piece.Bytes)), pieces.Select(piece => (piece.Connection, piece.Sender, piece.Bytes)));
         for (int i = 1; i < pieces.Length; i++)
         {
             long expected = RecordingClock.Between(Pieces[0].Timestamp, Pieces[i].Timestamp).Ticks;
