@@ -6,7 +6,9 @@ namespace NeuronMocap.Data.Tests.Takes;
 
 public sealed class ForeignTakeTests : TakeTests
 {
-    internal override BvhDocument Load() => BvhDocument.Load(Fixtures.Require("test-take", "test.bvh"));
+    private static readonly Lazy<BvhDocument> Take = new(static () => BvhDocument.Load(Fixtures.Require("test-take", "test.bvh")));
+
+    internal override BvhDocument Load() => Take.Value;
 
     [Fact]
     public void The_performer_stands()

@@ -21,11 +21,15 @@ public class TakeTests
     public async Task Every_value_of_the_file_arrives_in_any_pieces(int? fragment)
     {
         BvhDocument take = Load();
+
+        // A call to the system for each byte of a long take would take seconds, and every place is split in each frame.
+        int frames = fragment == 1 ? 100 : take.FrameCount;
         await using var broadcaster = new Broadcaster(new BroadcasterOptions
         {
             Sources = [new BvhSource(take)],
             Port = 0,
             FrameRate = BroadcasterOptions.MaxFrameRate,
+            MaxFrames = frames,
             WaitForClient = true,
             Fragment = fragment,
         });
@@ -40,7 +44,7 @@ public class TakeTests
             AssertSameBits(take.GetValues(row++), frame.Values);
         };
         await ReceiveAllAsync(reader);
-        Assert.Equal(take.FrameCount, row);
+        Assert.Equal(frames, row);
         await broadcaster.Completion.Soon();
     }
 
