@@ -272,12 +272,15 @@ public class TextNumberTests
     [Fact]
     public void The_reference_parser_matches_the_framework()
     {
+#if NET
+        // .NET Framework rounds some texts twice.
         var random = new Random(7);
         for (int i = 0; i < 20_000; i++)
         {
             string text = ((random.NextDouble() - 0.5) * Math.Pow(10, random.Next(-3, 5))).ToString("F" + random.Next(0, 9), CultureInfo.InvariantCulture);
-            Assert.Equal(BitConverter.SingleToInt32Bits(ExactDecimal.ToSingle(text)), BitConverter.SingleToInt32Bits(ExactDecimal.ToSingle(text)));
+            Assert.Equal(BitConverter.SingleToInt32Bits(float.Parse(text, CultureInfo.InvariantCulture)), BitConverter.SingleToInt32Bits(ExactDecimal.ToSingle(text)));
         }
+#endif
 
         Assert.Equal(
             [0, 1, 0x7F7F_FFFF, 0x7F80_0000, 0x0080_0000, 0x4B80_0000],
