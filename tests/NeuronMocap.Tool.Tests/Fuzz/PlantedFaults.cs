@@ -1,3 +1,4 @@
+using System.Runtime.CompilerServices;
 using NeuronMocap.Fuzz;
 using NeuronMocap.Fuzz.Inputs;
 
@@ -16,7 +17,7 @@ internal static class PlantedFaults
         "two exceptions" => Create(fault, input => throw (input.Bytes.Length % 2 == 0 ? new FormatException() : new InvalidDataException())),
         "another exception than the refusal" => Create(fault, _ => throw new InvalidDataException()) with { Refusal = typeof(FormatException) },
         "wrong result" => Create(fault, input => WrongResultException.ThrowUnless(input.Found < 0, "{0}", input.Found)),
-        "allocation" => Create(fault, input => input.Digest.Add((long)new byte[1 << 20].Length)),
+        "allocation" => Create(fault, input => input.Digest.Add((long)Allocate().Length)),
         "a read behind the end" => Create(fault, input => input.Digest.Add((long)input.Segment.Array![input.Segment.Offset + input.Segment.Count])),
         "a read before the start" => Create(fault, input => input.Digest.Add((long)input.Segment.Array![input.Segment.Offset - 1])),
         "a write to the input" => Create(fault, input => input.Segment.AsSpan()[0]++),
@@ -28,6 +29,10 @@ internal static class PlantedFaults
     /// <param name="end">Releases its thread.</param>
     public static FuzzTarget Hang(ManualResetEventSlim end) =>
         Create("hang", _ => end.Wait()) with { TimeLimit = TimeSpan.FromMilliseconds(200) };
+
+    // An inlined array of which only the length is used is not allocated in optimized code.
+    [MethodImpl(MethodImplOptions.NoInlining)]
+    private static byte[] Allocate() => new byte[1 << 20];
 
     private static FuzzTarget Create(string name, Action<FuzzInput> fault) => new(name, CorpusKind.Packets, () => input =>
     {
