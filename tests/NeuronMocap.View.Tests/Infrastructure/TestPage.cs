@@ -81,7 +81,18 @@ internal sealed class TestPage : IAsyncDisposable
     }
 
     /// <summary>Waits until an expression of the page is true.</summary>
-    public Task UntilAsync(string condition, object? argument = null) => Page.WaitForFunctionAsync(condition, argument);
+    public async Task UntilAsync(string condition, object? argument = null)
+    {
+        try
+        {
+            await Page.WaitForFunctionAsync(condition, argument);
+        }
+        catch (TimeoutException)
+        {
+            string? shown = await Page.EvaluateAsync<string?>($"() => JSON.stringify({Hook}?.state()) + ' ' + document.body.innerText");
+            Assert.Fail($"Not in time: {condition}\nFaults: {string.Join("; ", _faults)}\nThe page: {shown}");
+        }
+    }
 
     /// <summary>Waits until performers are shown with their figures.</summary>
     public Task UntilMovingAsync(int performers = 1) => UntilAsync(
