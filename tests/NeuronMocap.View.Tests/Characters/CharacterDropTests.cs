@@ -8,26 +8,21 @@ using NeuronMocap.View.Tests.Infrastructure;
 namespace NeuronMocap.View.Tests.Characters;
 
 // Dropping and removing characters.
-public sealed class CharacterDropTests(SharedBrowser browser) : IDisposable
+public sealed class CharacterDropTests(SharedBrowser browser, CharacterSamples samples)
 {
-    private const int Drops = 10;
+    private const int Drops = 3;
 
     private static readonly string Walk = Repository.PathOf("samples", "takes", "walk.bvh");
-
-    private readonly DirectoryInfo _folder = Directory.CreateTempSubdirectory("neuron-mocap-drops-");
-
-    public void Dispose() => _folder.Delete(recursive: true);
 
     [Theory]
     [InlineData("boxes-1.vrm")]
     [InlineData("boxes-z-up.glb")]
     public async Task Removed_characters_leave_nothing_on_the_graphics_card(string file)
     {
-        await CharacterSamples.WriteAsync(_folder.FullName);
         await using RunningView view = await RunningView.StartAsync(Walk);
         await using TestPage page = await TestPage.OpenAsync(browser, view.Link, 320, 240);
         await page.UntilMovingAsync();
-        byte[] contents = await ReadAsync(file);
+        byte[] contents = await samples.ReadAsync(file);
         await DropAndRemoveAsync(page, file, contents);
         string before = await MemoryAsync(page);
         for (int i = 0; i < Drops; i++)
@@ -40,12 +35,11 @@ public sealed class CharacterDropTests(SharedBrowser browser) : IDisposable
     [Fact]
     public async Task Characters_that_are_dropped_together_wait_for_a_performer_and_stand_side_by_side()
     {
-        await CharacterSamples.WriteAsync(_folder.FullName);
         int port = FreePort.Next();
         await using RunningView view = await RunningView.StartAsync(string.Create(CultureInfo.InvariantCulture, $"127.0.0.1:{port}"));
         await using TestPage page = await TestPage.OpenAsync(browser, view.Link, 1280, 400);
         await page.UntilAsync("() => window.neuronMocap.state().connection === 'open'");
-        await page.DropAsync(("boxes-1.vrm", await ReadAsync("boxes-1.vrm")), ("boxes-mixamo.glb", await ReadAsync("boxes-mixamo.glb")));
+        await page.DropAsync(("boxes-1.vrm", await samples.ReadAsync("boxes-1.vrm")), ("boxes-mixamo.glb", await samples.ReadAsync("boxes-mixamo.glb")));
         await page.UntilAsync("() => window.neuronMocap.state().characters.length === 2");
         Assert.Equal(2, await page.Page.GetByText("No performer yet").CountAsync() - await page.Page.Locator(".overlay").GetByText("No performer yet").CountAsync());
 
@@ -58,33 +52,36 @@ public sealed class CharacterDropTests(SharedBrowser browser) : IDisposable
     [Fact]
     public async Task A_page_that_lacks_a_script_because_the_program_is_newer_says_so()
     {
-        await CharacterSamples.WriteAsync(_folder.FullName);
         await using RunningView view = await RunningView.StartAsync("demo");
         await using TestPage page = await TestPage.OpenAsync(browser, view.Link, 320, 240);
         await page.UntilMovingAsync();
         await page.Page.RouteAsync("**/load-*.js", static route => route.FulfillAsync(new RouteFulfillOptions { Status = 404 }));
-        await page.DropAsync("boxes-1.vrm", await ReadAsync("boxes-1.vrm"));
+        await page.DropAsync("boxes-1.vrm", await samples.ReadAsync("boxes-1.vrm"));
         await page.Page.GetByText("This page is older than the program. Reload it.").WaitForAsync();
         page.AssertClean(static fault => fault.Contains("404", StringComparison.Ordinal));
     }
 
-    [Theory]
-    [InlineData("empty.vrm", "empty.vrm is empty.")]
-    [InlineData("picture.glb", "picture.glb is not a glTF or VRM file.")]
-    [InlineData("empty.bvh", "empty.bvh")]
-    [InlineData("picture.nmrec", "picture.nmrec")]
-    public async Task An_empty_file_and_a_picture_with_another_name_are_refused_in_a_sentence(string name, string words)
+    [Fact]
+    public async Task An_empty_file_and_a_picture_with_another_name_are_refused_in_a_sentence()
     {
-        await CharacterSamples.WriteAsync(_folder.FullName);
+        byte[] picture = await samples.ReadAsync("boxes.png");
         await using RunningView view = await RunningView.StartAsync("demo");
         await using TestPage page = await TestPage.OpenAsync(browser, view.Link);
         await page.UntilMovingAsync();
-        await page.DropAsync(name, name.StartsWith("empty", StringComparison.Ordinal) ? [] : await ReadAsync("boxes.png"));
-        await page.Page.Locator(".notice.problem").GetByText(words).WaitForAsync();
+        foreach ((string name, byte[] contents, string words) in ((string, byte[], string)[])
+        [
+            ("empty.vrm", [], "empty.vrm is empty."),
+            ("picture.glb", picture, "picture.glb is not a glTF or VRM file."),
+            ("empty.bvh", [], "empty.bvh"),
+            ("picture.nmrec", picture, "picture.nmrec"),
+        ])
+        {
+            await page.DropAsync(name, contents);
+            await page.Page.Locator(".notice.problem").GetByText(words).WaitForAsync();
+        }
+
         page.AssertClean(static fault => fault.Contains(" 400 ", StringComparison.Ordinal));
     }
-
-    private Task<byte[]> ReadAsync(string file) => File.ReadAllBytesAsync(Path.Combine(_folder.FullName, file), TestContext.Current.CancellationToken);
 
     private static async Task DropAndRemoveAsync(TestPage page, string file, byte[] contents)
     {

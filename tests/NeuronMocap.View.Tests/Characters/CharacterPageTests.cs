@@ -4,12 +4,8 @@ using NeuronMocap.View.Tests.Infrastructure;
 namespace NeuronMocap.View.Tests.Characters;
 
 // Characters dropped on the page.
-public sealed class CharacterPageTests(SharedBrowser browser) : IDisposable
+public sealed class CharacterPageTests(SharedBrowser browser, CharacterSamples samples)
 {
-    private readonly DirectoryInfo _folder = Directory.CreateTempSubdirectory("neuron-mocap-characters-");
-
-    public void Dispose() => _folder.Delete(recursive: true);
-
     [Fact]
     public async Task A_figure_of_the_library_moves_like_its_performer()
     {
@@ -46,11 +42,10 @@ public sealed class CharacterPageTests(SharedBrowser browser) : IDisposable
     [InlineData("boxes-z-up.glb")]
     public async Task A_character_holds_its_limbs_like_the_performer(string file)
     {
-        await CharacterSamples.WriteAsync(_folder.FullName);
         await using RunningView view = await RunningView.StartAsync(Repository.PathOf("samples", "takes", "walk.bvh"));
         await using TestPage page = await TestPage.OpenAsync(browser, view.Link);
         await page.UntilMovingAsync();
-        await page.DropAsync(file, await File.ReadAllBytesAsync(Path.Combine(_folder.FullName, file), TestContext.Current.CancellationToken));
+        await page.DropAsync(file, await samples.ReadAsync(file));
         await UntilShownAsync(page);
         await LetFeetSlideAsync(page);
         foreach ((string key, int frame) in ((string, int)[])[("End", Frames), ("Home", 1)])
@@ -65,12 +60,11 @@ public sealed class CharacterPageTests(SharedBrowser browser) : IDisposable
     [Fact]
     public async Task The_scripts_for_characters_come_with_the_first_character()
     {
-        await CharacterSamples.WriteAsync(_folder.FullName);
         await using RunningView view = await RunningView.StartAsync("demo");
         await using TestPage page = await TestPage.OpenAsync(browser, view.Link);
         await page.UntilMovingAsync();
         Assert.Equal(0, await CountAsync());
-        await page.DropAsync("boxes-1.vrm", await File.ReadAllBytesAsync(Path.Combine(_folder.FullName, "boxes-1.vrm"), TestContext.Current.CancellationToken));
+        await page.DropAsync("boxes-1.vrm", await samples.ReadAsync("boxes-1.vrm"));
         await UntilShownAsync(page);
         Assert.Equal(1, await CountAsync());
         page.AssertClean();

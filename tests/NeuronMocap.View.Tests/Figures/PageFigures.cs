@@ -22,7 +22,7 @@ public sealed class PageFigures(SharedBrowser browser, ITestOutputHelper output)
     {
         await using Broadcaster broadcaster = Broadcaster.StartDemo(performers);
         await using RunningView view = await RunningView.StartAsync($"127.0.0.1:{broadcaster.LocalEndPoint!.Port}");
-        await using TestPage page = await TestPage.OpenAsync(browser, view.Link, width, height);
+        await using TestPage page = await TestPage.OpenAsync(browser, view.Link, width, height, asInstalled: true);
         await page.UntilMovingAsync(performers);
 
         // The first pictures compile.
@@ -45,7 +45,7 @@ public sealed class PageFigures(SharedBrowser browser, ITestOutputHelper output)
         const int Performers = 20;
         await using Broadcaster broadcaster = Broadcaster.StartDemo(Performers);
         await using RunningView view = await RunningView.StartAsync($"127.0.0.1:{broadcaster.LocalEndPoint!.Port}");
-        await using TestPage page = await TestPage.OpenAsync(browser, view.Link);
+        await using TestPage page = await TestPage.OpenAsync(browser, view.Link, asInstalled: true);
         await page.UntilMovingAsync(Performers);
         await PicturesAsync(page, 30);
         List<double> delays = [];
@@ -65,7 +65,7 @@ public sealed class PageFigures(SharedBrowser browser, ITestOutputHelper output)
     [Fact(Explicit = true)]
     public async Task First_picture()
     {
-        IBrowser running = await browser.StartAsync();
+        IBrowser running = await browser.StartAsync(asInstalled: true);
         for (int i = 0; i < 5; i++)
         {
             await using IBrowserContext context = await running.NewContextAsync(new BrowserNewContextOptions { ViewportSize = new ViewportSize { Width = 480, Height = 400 } });
@@ -102,7 +102,7 @@ public sealed class PageFigures(SharedBrowser browser, ITestOutputHelper output)
         double minutes = double.Parse(Environment.GetEnvironmentVariable("NEURONMOCAP_HEAP_MINUTES") ?? "10", CultureInfo.InvariantCulture);
         await using Broadcaster broadcaster = Broadcaster.StartDemo(3);
         await using RunningView view = await RunningView.StartAsync($"127.0.0.1:{broadcaster.LocalEndPoint!.Port}");
-        await using TestPage page = await TestPage.OpenAsync(browser, view.Link, 320, 320);
+        await using TestPage page = await TestPage.OpenAsync(browser, view.Link, 320, 320, asInstalled: true);
         await page.UntilMovingAsync(3);
         await PicturesAsync(page, 100);
         ICDPSession session = await page.Page.Context.NewCDPSessionAsync(page.Page);

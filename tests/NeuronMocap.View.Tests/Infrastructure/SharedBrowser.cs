@@ -9,13 +9,25 @@ namespace NeuronMocap.View.Tests.Infrastructure;
 /// <summary>The Chromium of the system, started once for all tests.</summary>
 public sealed class SharedBrowser : IAsyncDisposable
 {
+    // New processes and their first scripts are most of what a page costs. After so many tests, a page is replaced with all that it has gathered.
+    private const int TestsPerPage = 20;
+
     private static readonly string[] Names = ["chromium", "chromium-browser", "google-chrome", "google-chrome-stable"];
+
+    // The last list of features that the driver disables counts alone, and a part of it is needed. So features have no place here.
+    private static readonly string[] Basic = ["--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"];
+
+    // Without a graphics card, the processor draws the texts and puts the page together by itself at less cost. No test asks a server of others.
+    private static readonly string[] Cheap = ["--disable-gpu-rasterization", "--disable-gpu-compositing", "--host-resolver-rules=MAP * ~NOTFOUND, EXCLUDE 127.0.0.1"];
 
     private IPlaywright? _playwright;
     private IBrowser? _browser;
+    private IPage? _idle;
+    private int _tests;
 
     /// <summary>Starts the browser at the first call. Skips the test if there is no browser or no page.</summary>
-    public async Task<IBrowser> StartAsync()
+    /// <param name="asInstalled">Draws as for a person. The first call decides.</param>
+    public async Task<IBrowser> StartAsync(bool asInstalled = false)
     {
         string? path = FindBrowser();
         Assert.SkipWhen(path is null, "There is no Chromium and no Chrome on the PATH.");
@@ -28,9 +40,23 @@ public sealed class SharedBrowser : IAsyncDisposable
         return _browser = await _playwright.Chromium.LaunchAsync(new BrowserTypeLaunchOptions
         {
             ExecutablePath = path,
-            Args = ["--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"],
+            Args = asInstalled ? Basic : [.. Basic, .. Cheap],
             Timeout = TestPage.Patience,
         });
+    }
+
+    /// <summary>Takes the page that waits for a test, or null.</summary>
+    internal IPage? TakeIdle() => Interlocked.Exchange(ref _idle, null);
+
+    /// <summary>Keeps a page for another test.</summary>
+    /// <param name="page">A page that knows nothing of the last test.</param>
+    /// <returns>False if the page is not wanted.</returns>
+    internal bool Keep(IPage page)
+    {
+        if (++_tests % TestsPerPage == 0)
+            return false;
+
+        return Interlocked.CompareExchange(ref _idle, page, null) is null;
     }
 
     public async ValueTask DisposeAsync()

@@ -3,7 +3,9 @@ using System.Text.Json;
 
 namespace NeuronMocap.View.Tests.Infrastructure;
 
-/// <summary>A page in a context of its own. It remembers what must not happen: faults in the console, and requests to other servers.</summary>
+/// <summary>
+/// A page that knows nothing of other tests. It remembers what must not happen: faults in the console, and requests to other servers.
+/// </summary>
 internal sealed class TestPage : IAsyncDisposable
 {
     /// <summary>Milliseconds to wait for something that happens at once on an idle computer.</summary>
@@ -11,12 +13,39 @@ internal sealed class TestPage : IAsyncDisposable
 
     private const string Hook = "window.neuronMocap";
 
-    private readonly IBrowserContext _context;
+    // Most processor time goes into pictures that nobody sees. A moving page draws every 150 ms; the other pictures leave out only what the graphics card
+    // does. A page that stands still draws each of its pictures.
+    private const string DrawSeldom = """
+        (() => {
+          let [shown, drawn, draws] = [-1, -Infinity, true];
+          for (const name of ["drawArrays", "drawElements", "drawArraysInstanced", "drawElementsInstanced"]) {
+            const draw = WebGL2RenderingContext.prototype[name];
+            WebGL2RenderingContext.prototype[name] = function (...values) {
+              const now = document.timeline.currentTime;
+              if (now !== shown) {
+                shown = now;
+                draws = now - drawn >= 150;
+                if (draws)
+                  drawn = now;
+              }
+              if (draws)
+                draw.apply(this, values);
+            };
+          }
+        })();
+        """;
+
+    // With the policy of the program, so that the browser sees no reason for a new process.
+    private static readonly Dictionary<string, string> EmptyPage = new() { ["Content-Type"] = "text/html", ["Cross-Origin-Opener-Policy"] = "same-origin" };
+
+    private readonly SharedBrowser _browser;
+    private readonly Uri _link;
+    private readonly bool _isKept;
     private readonly ConcurrentQueue<string> _faults = [];
     private readonly ConcurrentQueue<string> _foreign = [];
     private readonly ConcurrentDictionary<IWebSocket, bool> _sockets = [];
 
-    private TestPage(IBrowserContext context, IPage page) => (_context, Page) = (context, page);
+    private TestPage(SharedBrowser browser, IPage page, Uri link, bool isKept) => (_browser, Page, _link, _isKept) = (browser, page, link, isKept);
 
     public IPage Page { get; }
 
@@ -29,32 +58,41 @@ internal sealed class TestPage : IAsyncDisposable
     /// <param name="width">Pixels.</param>
     /// <param name="height">Pixels. A small picture is quick to draw.</param>
     /// <param name="theme">The theme of the system.</param>
-    public static async Task<TestPage> OpenAsync(SharedBrowser browser, Uri link, int width = 480, int height = 400, ColorScheme theme = ColorScheme.Dark)
+    /// <param name="asInstalled">Draws all pictures, in a new page, as for a person.</param>
+    public static async Task<TestPage> OpenAsync(
+        SharedBrowser browser, Uri link, int width = 480, int height = 400, ColorScheme theme = ColorScheme.Dark, bool asInstalled = false)
     {
-        IBrowserContext context = await (await browser.StartAsync()).NewContextAsync(new BrowserNewContextOptions
-        {
-            ViewportSize = new ViewportSize { Width = width, Height = height },
-            ColorScheme = theme,
-            ReducedMotion = ReducedMotion.Reduce,
-        });
-        context.SetDefaultTimeout(Patience);
-        var test = new TestPage(context, await context.NewPageAsync());
+        IPage page = (asInstalled ? null : browser.TakeIdle()) ?? await CreateAsync(browser, asInstalled);
+        var test = new TestPage(browser, page, link, !asInstalled);
         try
         {
-            await test.WatchAsync(link);
-            await test.Page.GotoAsync(link.ToString());
+            await page.SetViewportSizeAsync(width, height);
+            await page.EmulateMediaAsync(new PageEmulateMediaOptions { ColorScheme = theme, ReducedMotion = ReducedMotion.Reduce });
+            test.Watch();
+            await page.GotoAsync(link.ToString());
             await test.UntilAsync("() => window.neuronMocap !== undefined");
             return test;
         }
         catch
         {
-            await context.CloseAsync();
+            await page.Context.CloseAsync();
             throw;
         }
     }
 
     /// <summary>Waits until an expression of the page is true.</summary>
-    public Task UntilAsync(string condition, object? argument = null) => Page.WaitForFunctionAsync(condition, argument);
+    public async Task UntilAsync(string condition, object? argument = null)
+    {
+        try
+        {
+            await Page.WaitForFunctionAsync(condition, argument);
+        }
+        catch (TimeoutException)
+        {
+            string? shown = await Page.EvaluateAsync<string?>($"() => JSON.stringify({Hook}?.state()) + ' ' + document.body.innerText");
+            Assert.Fail($"Not in time: {condition}\nFaults: {string.Join("; ", _faults)}\nThe page: {shown}");
+        }
+    }
 
     /// <summary>Waits until performers are shown with their figures.</summary>
     public Task UntilMovingAsync(int performers = 1) => UntilAsync(
@@ -103,36 +141,77 @@ internal sealed class TestPage : IAsyncDisposable
         Assert.DoesNotContain(_faults, fault => isExpected?.Invoke(fault) != true);
     }
 
-    public async ValueTask DisposeAsync() => await _context.CloseAsync();
-
-    private async Task WatchAsync(Uri link)
+    /// <summary>Leaves the page for the next test. A page that does not answer is closed.</summary>
+    public async ValueTask DisposeAsync()
     {
-        Page.Console += (_, message) =>
-        {
-            if (message.Type is "error" or "warning" && !IsOfRenderer(message.Text))
-                _faults.Enqueue($"{message.Type}: {message.Text}");
-        };
-        Page.PageError += (_, error) => _faults.Enqueue(error);
-        Page.WebSocket += (_, socket) =>
-        {
-            _sockets[socket] = true;
-            CheckServer(new Uri(socket.Url), link);
-        };
-        // From now on the driver catches the dialogs for files. If it began when a test waits for one, the dialog could come first.
-        Page.FileChooser += static (_, _) => { };
-        await _context.RouteAsync("**/*", route =>
-        {
-            var address = new Uri(route.Request.Url);
-            return CheckServer(address, link) ? route.ContinueAsync() : route.AbortAsync();
-        });
+        if (!_isKept || Page.IsClosed || !await ForgetAsync() || !_browser.Keep(Page))
+            await Page.Context.CloseAsync();
     }
 
-    private bool CheckServer(Uri address, Uri link)
+    private static async Task<IPage> CreateAsync(SharedBrowser browser, bool asInstalled)
     {
-        bool isOwn = address.Scheme is "data" or "blob" || address.Authority == link.Authority;
-        if (!isOwn)
-            _foreign.Enqueue(address.ToString());
-        return isOwn;
+        IBrowserContext context = await (await browser.StartAsync(asInstalled)).NewContextAsync();
+        context.SetDefaultTimeout(Patience);
+        if (!asInstalled)
+            await context.AddInitScriptAsync(DrawSeldom);
+        IPage page = await context.NewPageAsync();
+        // From now on the driver catches the dialogs for files. If it began when a test waits for one, the dialog could come first.
+        page.FileChooser += static (_, _) => { };
+        return page;
+    }
+
+    // Settings and cookies must not meet another test. An empty page of the same server ends the page, and keeps its process. The server itself may have ended.
+    private async Task<bool> ForgetAsync()
+    {
+        Page.Console -= OnConsole;
+        Page.PageError -= OnPageError;
+        Page.WebSocket -= OnWebSocket;
+        Page.Request -= OnRequest;
+        try
+        {
+            await Page.UnrouteAllAsync();
+            await Page.RouteAsync("**/*", static route => route.FulfillAsync(new RouteFulfillOptions { Headers = EmptyPage, Body = string.Empty }));
+            await Page.GotoAsync(new Uri(_link, "/empty").ToString());
+            await Page.EvaluateAsync("() => { localStorage.clear(); sessionStorage.clear(); }");
+            await Page.Context.ClearCookiesAsync();
+            await Page.UnrouteAllAsync();
+            return true;
+        }
+        catch (PlaywrightException)
+        {
+            return false;
+        }
+    }
+
+    private void Watch()
+    {
+        Page.Console += OnConsole;
+        Page.PageError += OnPageError;
+        Page.WebSocket += OnWebSocket;
+        Page.Request += OnRequest;
+    }
+
+    private void OnConsole(object? sender, IConsoleMessage message)
+    {
+        if (message.Type is "error" or "warning" && !IsOfRenderer(message.Text))
+            _faults.Enqueue($"{message.Type}: {message.Text}");
+    }
+
+    private void OnPageError(object? sender, string error) => _faults.Enqueue(error);
+
+    private void OnWebSocket(object? sender, IWebSocket socket)
+    {
+        _sockets[socket] = true;
+        CheckServer(socket.Url);
+    }
+
+    private void OnRequest(object? sender, IRequest request) => CheckServer(request.Url);
+
+    private void CheckServer(string url)
+    {
+        var address = new Uri(url);
+        if (address.Scheme is not ("data" or "blob") && address.Authority != _link.Authority)
+            _foreign.Enqueue(url);
     }
 
     // What Chromium says about drawing without a graphics card.

@@ -118,10 +118,13 @@ public sealed class LivePageTests(SharedBrowser browser)
     public async Task A_wrong_token_shows_where_the_link_is()
     {
         await using RunningView view = await RunningView.StartAsync("demo", "--token", "right");
-        await using TestPage wrong = await TestPage.OpenAsync(browser, new Uri(view.Link, "/?token=wrong"));
-        await wrong.UntilAsync("() => window.neuronMocap.state().connection === 'denied'");
-        Assert.Contains("Open the link", (await wrong.StateAsync()).GetProperty("advice").GetString(), StringComparison.Ordinal);
-        wrong.AssertClean(IsOfConnection);
+        await using (TestPage wrong = await TestPage.OpenAsync(browser, new Uri(view.Link, "/?token=wrong")))
+        {
+            await wrong.UntilAsync("() => window.neuronMocap.state().connection === 'denied'");
+            Assert.Contains("Open the link", (await wrong.StateAsync()).GetProperty("advice").GetString(), StringComparison.Ordinal);
+            wrong.AssertClean(IsOfConnection);
+        }
+
         await using TestPage right = await TestPage.OpenAsync(browser, view.Link);
         await right.UntilMovingAsync();
         Assert.DoesNotContain("token", right.Page.Url, StringComparison.Ordinal);
