@@ -14,6 +14,9 @@ public sealed class SharedBrowser : IAsyncDisposable
 
     private static readonly string[] Names = ["chromium", "chromium-browser", "google-chrome", "google-chrome-stable"];
 
+    // The same without windows and what belongs to them. It takes a sixth less processor time.
+    private const string WithoutWindows = "chromium-headless-shell";
+
     // The last list of features that the driver disables counts alone, and a part of it is needed. So features have no place here.
     private static readonly string[] Basic = ["--no-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"];
 
@@ -29,7 +32,7 @@ public sealed class SharedBrowser : IAsyncDisposable
     /// <param name="asInstalled">Draws as for a person. The first call decides.</param>
     public async Task<IBrowser> StartAsync(bool asInstalled = false)
     {
-        string? path = FindBrowser();
+        string? path = (asInstalled ? Names : [WithoutWindows, .. Names]).Select(FindProgram).FirstOrDefault(static found => found is not null);
         Assert.SkipWhen(path is null, "There is no Chromium and no Chrome on the PATH.");
         Assert.SkipWhen(typeof(NeuronMocap.Tool.View.ViewOptions).Assembly.GetManifestResourceInfo("web/app.js.gz") is null, "The program is built without its page.");
         if (_browser is not null)
@@ -66,8 +69,8 @@ public sealed class SharedBrowser : IAsyncDisposable
         _playwright?.Dispose();
     }
 
-    private static string? FindBrowser() => (Environment.GetEnvironmentVariable("PATH") ?? string.Empty)
+    private static string? FindProgram(string name) => (Environment.GetEnvironmentVariable("PATH") ?? string.Empty)
         .Split(Path.PathSeparator)
-        .SelectMany(static folder => Names.Select(name => Path.Combine(folder, name)))
+        .Select(folder => Path.Combine(folder, name))
         .FirstOrDefault(File.Exists);
 }
