@@ -5,6 +5,9 @@ namespace NeuronMocap.Tool.Tests.View.Page;
 /// <summary>Runs Node in the folder web.</summary>
 internal static class NodeProgram
 {
+    // Twenty times what the longest script takes while all cores are busy.
+    private static readonly TimeSpan Patience = TimeSpan.FromMinutes(10);
+
     private static readonly string Folder = Repository.PathOf("web");
 
     public static bool Exists { get; } = (Environment.GetEnvironmentVariable("PATH") ?? string.Empty)
@@ -30,7 +33,7 @@ internal static class NodeProgram
         {
             Task<string> output = process.StandardOutput.ReadToEndAsync(TestContext.Current.CancellationToken);
             Task<string> error = process.StandardError.ReadToEndAsync(TestContext.Current.CancellationToken);
-            await process.WaitForExitAsync(TestContext.Current.CancellationToken).Soon();
+            await process.WaitForExitAsync(TestContext.Current.CancellationToken).WaitAsync(Patience, TestContext.Current.CancellationToken);
             return (process.ExitCode, await output + await error);
         }
         finally
