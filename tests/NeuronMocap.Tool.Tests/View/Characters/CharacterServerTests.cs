@@ -50,7 +50,7 @@ public sealed class CharacterServerTests
                     Assert.InRange(bytes.Length, 1, 500);
                     var pose = new DecodedPose(nodes, motion.Character.State.Rig, bytes);
                     Assert.Equal(id, pose.Character);
-                    Assert.InRange(pose.Microseconds, time + 1, (DateTime.UtcNow - DateTime.UnixEpoch).Ticks / TimeSpan.TicksPerMicrosecond);
+                    Assert.InRange(pose.Microseconds, time, (DateTime.UtcNow - DateTime.UnixEpoch).Ticks / TimeSpan.TicksPerMicrosecond);
                     time = pose.Microseconds;
                     Matrix4x4[] world = pose.World();
                     Assert.InRange(world[(int)Bone.Hips].Translation.Y, 0.5f, 1.5f);
