@@ -7,39 +7,22 @@ using NeuronMocap.View.Tests.Infrastructure;
 
 namespace NeuronMocap.View.Tests.Figures;
 
-// Measures the page. Run it alone: NeuronMocap.View.Tests -explicit only -class "*PageFigures" -showLiveOutput
+// Measures the page. Run it alone: NEURONMOCAP_FIGURES=1 NeuronMocap.View.Tests -class "*PageFigures" -showLiveOutput
 public sealed class PageFigures(SharedBrowser browser, ITestOutputHelper output)
 {
     private const string Stats = "() => { const { stats, state } = window.neuronMocap; return { ...stats(), now: performance.now(), performers: state().performers.length }; }";
 
-    [Theory(Explicit = true)]
-    [InlineData(1, 1280, 800)]
-    [InlineData(3, 1280, 800)]
-    [InlineData(1, 480, 400)]
-    [InlineData(3, 480, 400)]
-    [InlineData(20, 480, 400)]
-    public async Task Main_thread_and_wire(int performers, int width, int height)
+    [Figure]
+    public async Task Main_thread_and_wire()
     {
-        await using Broadcaster broadcaster = Broadcaster.StartDemo(performers);
-        await using RunningView view = await RunningView.StartAsync($"127.0.0.1:{broadcaster.LocalEndPoint!.Port}");
-        await using TestPage page = await TestPage.OpenAsync(browser, view.Link, width, height, asInstalled: true);
-        await page.UntilMovingAsync(performers);
-
-        // The first pictures compile.
-        await PicturesAsync(page, 30);
-        JsonElement before = await page.EvaluateAsync(Stats);
-        await PicturesAsync(page, 120);
-        JsonElement after = await page.EvaluateAsync(Stats);
-        double seconds = Change("now") / 1000;
-        double[] motion = Times("motionTimes"), whole = Times("frameTimes");
-        output.WriteLine(FormattableString.Invariant(
-            $"{performers} performers, {width}x{height}: {Change("pictures") / seconds:0.0} fps, main thread per picture and performer {motion.Average() / performers:0.000} ms without drawing, {whole.Average() / performers:0.000} ms with it, {Change("receivedBytes") / Change("received"):0} bytes/frame, {Change("received") / seconds / performers:0.0} frames/s"));
-
-        double Change(string name) => after.GetProperty(name).GetDouble() - before.GetProperty(name).GetDouble();
-        double[] Times(string name) => [.. after.GetProperty(name).EnumerateArray().Select(static time => time.GetDouble()).Take(120)];
+        await MeasureAsync(1, 1280, 800);
+        await MeasureAsync(3, 1280, 800);
+        await MeasureAsync(1, 480, 400);
+        await MeasureAsync(3, 480, 400);
+        await MeasureAsync(20, 480, 400);
     }
 
-    [Fact(Explicit = true)]
+    [Figure]
     public async Task Delay_of_twenty_performers()
     {
         const int Performers = 20;
@@ -62,7 +45,7 @@ public sealed class PageFigures(SharedBrowser browser, ITestOutputHelper output)
     }
 
     // As a person has it who opens the link in a browser that runs: the empty tab is there, and nothing looks into its requests.
-    [Fact(Explicit = true)]
+    [Figure]
     public async Task First_picture()
     {
         IBrowser running = await browser.StartAsync(asInstalled: true);
@@ -96,7 +79,7 @@ public sealed class PageFigures(SharedBrowser browser, ITestOutputHelper output)
     }
 
     // Minutes from the environment, because ten are long.
-    [Fact(Explicit = true)]
+    [Figure]
     public async Task Heap()
     {
         double minutes = double.Parse(Environment.GetEnvironmentVariable("NEURONMOCAP_HEAP_MINUTES") ?? "10", CultureInfo.InvariantCulture);
@@ -116,6 +99,27 @@ public sealed class PageFigures(SharedBrowser browser, ITestOutputHelper output)
                 $"{watch.Elapsed.TotalMinutes:0.0} min: {usage.GetProperty("usedSize").GetDouble() / 1e6:0.000} MB after {stats.GetProperty("framesShown").GetDouble():0} poses and {stats.GetProperty("pictures").GetDouble():0} pictures"));
             await Task.Delay(TimeSpan.FromMinutes(minutes / 10), TestContext.Current.CancellationToken);
         }
+    }
+
+    private async Task MeasureAsync(int performers, int width, int height)
+    {
+        await using Broadcaster broadcaster = Broadcaster.StartDemo(performers);
+        await using RunningView view = await RunningView.StartAsync($"127.0.0.1:{broadcaster.LocalEndPoint!.Port}");
+        await using TestPage page = await TestPage.OpenAsync(browser, view.Link, width, height, asInstalled: true);
+        await page.UntilMovingAsync(performers);
+
+        // The first pictures compile.
+        await PicturesAsync(page, 30);
+        JsonElement before = await page.EvaluateAsync(Stats);
+        await PicturesAsync(page, 120);
+        JsonElement after = await page.EvaluateAsync(Stats);
+        double seconds = Change("now") / 1000;
+        double[] motion = Times("motionTimes"), whole = Times("frameTimes");
+        output.WriteLine(FormattableString.Invariant(
+            $"{performers} performers, {width}x{height}: {Change("pictures") / seconds:0.0} fps, main thread per picture and performer {motion.Average() / performers:0.000} ms without drawing, {whole.Average() / performers:0.000} ms with it, {Change("receivedBytes") / Change("received"):0} bytes/frame, {Change("received") / seconds / performers:0.0} frames/s"));
+
+        double Change(string name) => after.GetProperty(name).GetDouble() - before.GetProperty(name).GetDouble();
+        double[] Times(string name) => [.. after.GetProperty(name).EnumerateArray().Select(static time => time.GetDouble()).Take(120)];
     }
 
     private static async Task PicturesAsync(TestPage page, int count)

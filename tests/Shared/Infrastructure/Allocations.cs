@@ -3,16 +3,16 @@ using System.Diagnostics;
 namespace NeuronMocap.Tests.Infrastructure;
 
 /// <summary>
-/// Measures the allocations of code in rounds, and takes the minimum. The runtime allocates when it recompiles a method, and other threads may
-/// allocate at any time. On a busy machine that may disturb many rounds. Code that really allocates does so in every round.
+/// Measures the allocations of code in rounds, and takes the minimum. Code may allocate in every call until the runtime has optimized it, which another
+/// thread does. The runtime allocates when it recompiles a method, and other threads may allocate at any time. On a busy machine that may disturb many
+/// rounds. Code that really allocates does so in every round.
 /// </summary>
 internal static class Allocations
 {
     private const int WarmUp = 50;
-    private const int Rounds = 20;
 
     /// <summary>
-    /// Asserts that an action allocates nothing on this thread after a warm-up. It is called up to 50 + 20 * <paramref name="calls"/> times.
+    /// Asserts that an action allocates nothing on this thread after a warm-up. It is called 50 times, and then <paramref name="calls"/> times in each round.
     /// </summary>
     public static void AssertNone(Action action, int calls = 100)
     {
@@ -32,13 +32,14 @@ internal static class Allocations
         return GC.GetAllocatedBytesForCurrentThread() - before;
     }
 
-    /// <summary>Returns the minimum of some rounds. Ends with the first round that is 0.</summary>
+    /// <summary>Returns the minimum of the rounds of a minute. Ends with the first round that is 0.</summary>
     public static long Least(Func<long> measure)
     {
         long least = long.MaxValue;
-        for (int round = 0; round < Rounds && least > 0; round++)
+        long start = Stopwatch.GetTimestamp();
+        do
             least = Math.Min(least, measure());
-
+        while (least > 0 && Stopwatch.GetElapsedTime(start) < Limits.Unexpected);
         return least;
     }
 
