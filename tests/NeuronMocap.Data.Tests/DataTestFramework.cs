@@ -7,7 +7,7 @@ namespace NeuronMocap.Data.Tests;
 
 /// <summary>
 /// Finds these tests only if the folder shared/data exists. Otherwise it finds only <see cref="DataFolderTests"/>, which reports that the folder is
-/// missing.
+/// missing, and the tests that need no folder.
 /// </summary>
 public sealed class DataTestFramework : XunitTestFramework
 {
@@ -15,6 +15,6 @@ public sealed class DataTestFramework : XunitTestFramework
 
     private sealed class Discoverer(IXunitTestAssembly assembly) : XunitTestFrameworkDiscoverer(assembly)
     {
-        protected override Type[] GetExportedTypes() => Fixtures.Exists ? base.GetExportedTypes() : [typeof(DataFolderTests)];
+        protected override Type[] GetExportedTypes() => Fixtures.Exists ? base.GetExportedTypes() : [typeof(DataFolderTests), typeof(Vendor.VendorFieldTests)];
     }
 }

@@ -9,9 +9,17 @@ public sealed class AllocationsTests
         object? last = null;
         Allocations.AssertNone(() =>
         {
-            if (++calls < 20_000)
+            if (++calls < 3000)
                 last = new object();
         });
         Assert.NotNull(last);
+    }
+
+    [Fact]
+    public void Measuring_ends_with_the_first_round_that_is_small_enough()
+    {
+        int rounds = 0;
+        Assert.Equal(1, Allocations.Least(() => ++rounds == 3 ? 1 : 2, enough: 1));
+        Assert.Equal(3, rounds);
     }
 }

@@ -7,6 +7,7 @@ namespace NeuronMocap.Tests.Bvh;
 public class BvhReaderTests
 {
     private static readonly BvhReadOptions Strict = new() { Strict = true };
+    private static readonly byte[] Headings = Encoding.UTF8.GetBytes($"{Hierarchy}MOTION\nFrames: 3000\nFrame Time: 0.008\n");
 
     [Fact]
     public void Hierarchy_and_headings_are_available_before_rows()
@@ -77,25 +78,22 @@ public class BvhReaderTests
     [InlineData(1 << 20)]
     public void A_row_allocates_nothing(int pieceSize)
     {
-        string rows = string.Concat(Enumerable.Repeat("1.000000 -2.5e-3 3 4 5 6 -7.123456 8 9 \r\n", 3000));
-        byte[] bytes = Encoding.UTF8.GetBytes($"{Hierarchy}MOTION\nFrames: 3000\nFrame Time: 0.008\n{rows}");
-        using var reader = new BvhReader(new PieceStream(bytes, () => pieceSize));
+        using var reader = new BvhReader(new EndlessStream(Headings, "1.000000 -2.5e-3 3 4 5 6 -7.123456 8 9 \r\n"u8.ToArray(), pieceSize));
         float[] row = new float[9];
-        Infrastructure.Allocations.AssertNone(() => Assert.True(reader.TryReadFrame(row)));
+        Allocations.AssertNone(() => Assert.True(reader.TryReadFrame(row)));
     }
 
     // Neither rows broken across lines nor rows joined on one line allocate, once the list of repairs is full.
     [Fact]
     public void A_repaired_row_allocates_nothing_after_the_list_is_full()
     {
-        string rows = string.Concat(Enumerable.Repeat("1 2 3\n4 5 6\n7 8 9\n1 2 3 4 5 6 7 8 9 1 2 3 4 5 6 7 8 9\nx\n1 2 3 4 5 6 7 8 9 10\n1 nan 3 4 5 6 7 8 9\n", 1000));
-        byte[] bytes = Encoding.UTF8.GetBytes($"{Hierarchy}MOTION\nFrames: 3000\nFrame Time: 0.008\n{rows}");
-        using var reader = new BvhReader(new MemoryStream(bytes));
+        byte[] rows = "1 2 3\n4 5 6\n7 8 9\n1 2 3 4 5 6 7 8 9 1 2 3 4 5 6 7 8 9\nx\n1 2 3 4 5 6 7 8 9 10\n1 nan 3 4 5 6 7 8 9\n"u8.ToArray();
+        using var reader = new BvhReader(new EndlessStream(Headings, rows));
         float[] row = new float[9];
         while (reader.RepairCount < 200)
             Assert.True(reader.TryReadFrame(row));
 
-        Infrastructure.Allocations.AssertNone(() => Assert.True(reader.TryReadFrame(row)));
+        Allocations.AssertNone(() => Assert.True(reader.TryReadFrame(row)));
     }
 
     [Fact]
