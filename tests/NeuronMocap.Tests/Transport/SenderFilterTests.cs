@@ -44,14 +44,17 @@ public sealed class SenderFilterTests
         var senders = new UdpSenders(new PacketScanner(), log, filter);
         SocketAddress[] addresses = [.. Enumerable.Range(1, 50).Select(i => Address($"127.0.0.{i}", i))];
         byte[] frame = TestPackets.Motion(1);
+        int pushed = 0;
         Allocations.AssertNone(() =>
         {
             foreach (SocketAddress address in addresses)
                 senders.Push(address, frame, 0);
+
+            pushed += addresses.Length;
         });
 
         Assert.Equal((0, 0, 0), (log.Packets.Count, log.Skipped, senders.Count));
-        Assert.Equal(150 * 50, filter.RefusedDatagrams);
+        Assert.Equal(pushed, filter.RefusedDatagrams);
     }
 
     private static SocketAddress Address(string address, int port) => new IPEndPoint(IPAddress.Parse(address), port).Serialize();
