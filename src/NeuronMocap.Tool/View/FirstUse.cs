@@ -1,4 +1,7 @@
 using System.Net;
+using System.Net.Sockets;
+using System.Text;
+using Microsoft.AspNetCore.Builder;
 using NeuronMocap.Gltf;
 using NeuronMocap.Skeleton;
 using NeuronMocap.Tool.Listening;
@@ -24,11 +27,10 @@ internal static class FirstUse
             _ = Task.Run(RunAsync);
     }
 
-    /// <summary>Makes a web server that does not listen, the messages of a performer, and a figure.</summary>
+    /// <summary>Asks a web server for the page, and makes the messages of a performer and a figure.</summary>
     public static async Task RunAsync()
     {
-        WebListener listener = WebListener.Create(new IPEndPoint(IPAddress.Loopback, 0));
-        await listener.Application.DisposeAsync();
+        await RequestPageAsync();
         var performer = new Performer(default, string.Empty, Index: 0, SkeletonBody.GetDefault());
         PerformerJson json = performer.ToJson();
         var figures = new PerformerFigures(json.Key, Fps: 0, Latency: 0, Jitter: 0, Lost: 0, Dropped: 0);
@@ -43,5 +45,26 @@ internal static class FirstUse
             ApiJson.ToBytes(message);
 
         GlbWriter.CreateFigure(performer.Body, performer.Name, accentColor: 0);
+    }
+
+    /// <summary>
+    /// Requests the page as a browser does, through sockets, the guard and the routes. The server for it has nothing but the files of the page, and only this
+    /// computer can reach it.
+    /// </summary>
+    /// <returns>The answer.</returns>
+    public static async Task<byte[]> RequestPageAsync()
+    {
+        await using WebListener listener = WebListener.Create(new IPEndPoint(IPAddress.Loopback, 0));
+        listener.Application.UseGuard(new AccessPolicy(token: null, isRandom: false, isPublic: false, origins: []));
+        listener.Application.UseRouting();
+        PageFiles.Map(listener.Application);
+        listener.Start();
+        using var client = new TcpClient();
+        await client.ConnectAsync(listener.LocalEndPoint);
+        NetworkStream stream = client.GetStream();
+        await stream.WriteAsync(Encoding.ASCII.GetBytes($"GET / HTTP/1.1\r\nHost: {listener.LocalEndPoint}\r\nAccept-Encoding: gzip\r\nConnection: close\r\n\r\n"));
+        using var answer = new MemoryStream();
+        await stream.CopyToAsync(answer);
+        return answer.ToArray();
     }
 }
