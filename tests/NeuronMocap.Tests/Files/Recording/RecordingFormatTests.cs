@@ -236,10 +236,6 @@ public sealed class RecordingFormatTests
         var file = new MemoryStream(1 << 20);
         using var writer = new RecordingWriter(file);
         byte[] piece = new byte[60];
-        Allocations.AssertNone(() =>
-        {
-            for (int i = 0; i < 50; i++)
-                writer.WriteBytes(writer.Duration, 0, piece);
-        });
+        Allocations.AssertNone(() => writer.WriteBytes(writer.Duration, 0, piece), calls: 5000);
     }
 }
