@@ -78,7 +78,7 @@ public class BvhReaderTests
     [InlineData(1 << 20)]
     public void A_row_allocates_nothing(int pieceSize)
     {
-        using var reader = new BvhReader(new EndlessStream(Headings, "1.000000 -2.5e-3 3 4 5 6 -7.123456 8 9 \r\n"u8.ToArray(), pieceSize));
+        using var reader = new BvhReader(new PieceStream([.. Headings, .. "1.000000 -2.5e-3 3 4 5 6 -7.123456 8 9 \r\n"u8], () => pieceSize, repeatFrom: Headings.Length));
         float[] row = new float[9];
         Allocations.AssertNone(() => Assert.True(reader.TryReadFrame(row)));
     }
@@ -88,7 +88,7 @@ public class BvhReaderTests
     public void A_repaired_row_allocates_nothing_after_the_list_is_full()
     {
         byte[] rows = "1 2 3\n4 5 6\n7 8 9\n1 2 3 4 5 6 7 8 9 1 2 3 4 5 6 7 8 9\nx\n1 2 3 4 5 6 7 8 9 10\n1 nan 3 4 5 6 7 8 9\n"u8.ToArray();
-        using var reader = new BvhReader(new EndlessStream(Headings, rows));
+        using var reader = new BvhReader(new PieceStream([.. Headings, .. rows], static () => int.MaxValue, repeatFrom: Headings.Length));
         float[] row = new float[9];
         while (reader.RepairCount < 200)
             Assert.True(reader.TryReadFrame(row));

@@ -62,7 +62,7 @@ public sealed class CalculationFileTests
     [Fact]
     public void Reading_and_writing_rows_allocates_nothing()
     {
-        using var reader = new CalculationFileReader(new EndlessStream([], CalculationText.Utf8(CalculationText.Rows(250))));
+        using var reader = new CalculationFileReader(new PieceStream(CalculationText.Utf8(CalculationText.Rows(250)), static () => int.MaxValue, repeatFrom: 0));
         using var writer = new CalculationFileWriter(Stream.Null, reader.ValueCount);
         float[] values = new float[reader.ValueCount];
         Allocations.AssertNone(Copy, calls: 10);

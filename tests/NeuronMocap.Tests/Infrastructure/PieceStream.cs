@@ -1,9 +1,10 @@
 namespace NeuronMocap.Tests.Infrastructure;
 
-/// <summary>A stream that begins with a text and then repeats another one for ever. It cannot seek and has no length.</summary>
-internal sealed class EndlessStream(byte[] start, byte[] repeated, int pieceSize = int.MaxValue) : Stream
+/// <summary>
+/// A stream that returns its bytes in pieces of given sizes, like a pipe. It cannot seek and has no length. With a place to repeat from, it never ends.
+/// </summary>
+internal sealed class PieceStream(byte[] bytes, Func<int> nextSize, int? repeatFrom = null) : Stream
 {
-    private byte[] _current = start;
     private int _position;
 
     public override bool CanRead => true;
@@ -20,13 +21,18 @@ internal sealed class EndlessStream(byte[] start, byte[] repeated, int pieceSize
         set => throw new NotSupportedException();
     }
 
+    /// <summary>The number of bytes taken, since the last repetition.</summary>
+    public int Taken => _position;
+
+    public bool IsClosed { get; private set; }
+
     public override int Read(byte[] buffer, int offset, int count)
     {
-        if (_position == _current.Length)
-            (_current, _position) = (repeated, 0);
+        if (_position == bytes.Length)
+            _position = repeatFrom ?? _position;
 
-        int size = Math.Min(Math.Min(count, pieceSize), _current.Length - _position);
-        _current.AsSpan(_position, size).CopyTo(buffer.AsSpan(offset));
+        int size = Math.Min(Math.Min(count, Math.Max(1, nextSize())), bytes.Length - _position);
+        bytes.AsSpan(_position, size).CopyTo(buffer.AsSpan(offset));
         _position += size;
         return size;
     }
@@ -40,4 +46,10 @@ internal sealed class EndlessStream(byte[] start, byte[] repeated, int pieceSize
     public override void SetLength(long value) => throw new NotSupportedException();
 
     public override void Write(byte[] buffer, int offset, int count) => throw new NotSupportedException();
+
+    protected override void Dispose(bool disposing)
+    {
+        IsClosed = true;
+        base.Dispose(disposing);
+    }
 }
