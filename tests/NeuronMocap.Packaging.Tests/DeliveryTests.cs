@@ -1,4 +1,5 @@
 using NeuronMocap.Packaging.Tests.Infrastructure;
+using NeuronMocap.Tests.Infrastructure;
 using NeuronMocap.UnityPackager;
 
 namespace NeuronMocap.Packaging.Tests;
@@ -95,7 +96,7 @@ public sealed class DeliveryTests : IDisposable
 
     private async Task<string> CreateRepositoryAsync()
     {
-        Assert.SkipUnless(Tool.Exists("git"), "git is not installed.");
+        Assert.SkipUnless(InstalledPrograms.Have("git"), "git is not installed.");
         await GitAsync("init", "--quiet");
         await GitAsync("config", "user.name", "Test");
         await GitAsync("config", "user.email", "test@localhost");

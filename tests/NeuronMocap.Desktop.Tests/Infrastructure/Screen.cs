@@ -22,10 +22,8 @@ internal sealed class Screen : IDisposable
 
     public static void Require()
     {
-        string[] folders = (Environment.GetEnvironmentVariable("PATH") ?? "").Split(Path.PathSeparator);
-        string[] missing = [.. Tools.Where(tool => !folders.Any(folder => File.Exists(Path.Combine(folder, tool))))];
         Assert.SkipUnless(
-            OperatingSystem.IsLinux() && missing.Length == 0 && File.Exists(Forms),
+            OperatingSystem.IsLinux() && Tools.All(InstalledPrograms.Have) && File.Exists(Forms),
             "Needs Linux and Debian's packages xvfb, jwm, xdotool, imagemagick and libmono-system-windows-forms4.0-cil.");
     }
 

@@ -6,10 +6,7 @@ namespace NeuronMocap.Native.Tests.Infrastructure;
 /// <summary>A program of the system. Tests that need a missing program are skipped.</summary>
 internal static class SystemTool
 {
-    public static void Require(string name, string package) => Assert.SkipUnless(Exists(name), $"{name} is not installed (Debian's {package}).");
-
-    public static bool Exists(string name) =>
-        (Environment.GetEnvironmentVariable("PATH") ?? "").Split(Path.PathSeparator).Any(folder => File.Exists(Path.Combine(folder, name)));
+    public static void Require(string name, string package) => Assert.SkipUnless(InstalledPrograms.Have(name), $"{name} is not installed (Debian's {package}).");
 
     public static async Task<(int Code, string Output, string Errors)> RunAsync(string name, params string[] arguments)
     {

@@ -64,7 +64,7 @@ public sealed class PythonTests
         await using NativeProgram program = Start("wait", $"{server.LocalEndPoint!.Port}");
         await program.ReadAsync("frame");
 
-        await SystemTool.RunAsync("kill", "-INT", $"{program.Id}");
+        Signals.Send("INT", program.Id);
 
         await program.ReadAsync("interrupted");
         Assert.Equal(128 + 2, await program.EndAsync());

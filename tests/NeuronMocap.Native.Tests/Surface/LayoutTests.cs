@@ -22,7 +22,7 @@ public sealed class LayoutTests
 
     /// <summary>A row for each installed compiler, standard and generation, or one skipped row if there is no compiler.</summary>
     public static IEnumerable<TheoryDataRow<string, string, string>> Compilers =>
-        Names.Any(SystemTool.Exists) ? Names.Where(SystemTool.Exists).SelectMany(Rows) : [new(Names[0], "", "") { Skip = "Neither gcc nor clang is installed." }];
+        Names.Any(InstalledPrograms.Have) ? Names.Where(InstalledPrograms.Have).SelectMany(Rows) : [new(Names[0], "", "") { Skip = "Neither gcc nor clang is installed." }];
 
     private static IEnumerable<TheoryDataRow<string, string, string>> Rows(string compiler) =>
         from standard in compiler.EndsWith("++", StringComparison.Ordinal) ? (string[])["c++98", "c++20"] : ["c99", "c17"]

@@ -1,6 +1,7 @@
 using System.Text;
 using System.Text.RegularExpressions;
 using NeuronMocap.Packaging.Tests.Infrastructure;
+using NeuronMocap.Tests.Infrastructure;
 using NeuronMocap.UnityPackager;
 using NeuronMocap.UnityPackager.Archives;
 using NeuronMocap.UnityPackager.Checks;
@@ -92,7 +93,7 @@ public sealed partial class ArchiveTests
     [Fact]
     public async Task The_system_tar_reads_both()
     {
-        Assert.SkipUnless(Tool.Exists("tar"), "There is no tar.");
+        Assert.SkipUnless(InstalledPrograms.Have("tar"), "There is no tar.");
         using var folder = new TemporaryFolder();
         foreach ((byte[] archive, int files) in new[] { (ThePackage.Tarball, ThePackage.Staged.Files.Count), (ThePackage.AssetPackage, 0) })
         {

@@ -1,6 +1,7 @@
 using System.Text.Json;
 using System.Text.Json.Nodes;
 using NeuronMocap.Packaging.Tests.Infrastructure;
+using NeuronMocap.Tests.Infrastructure;
 using NeuronMocap.UnityPackager.Archives;
 
 namespace NeuronMocap.Packaging.Tests.Archives;
@@ -11,7 +12,7 @@ public sealed class NpmTests
     [Fact]
     public async Task Npm_installs_the_tarball_with_every_file()
     {
-        Assert.SkipUnless(Tool.Exists("npm"), "npm is not installed.");
+        Assert.SkipUnless(InstalledPrograms.Have("npm"), "npm is not installed.");
         using var folder = new TemporaryFolder();
         folder.Write("package.json", CreateProject(folder));
         string tarball = folder.PathOf(UpmTarball.NameOf(ThePackage.Staged));

@@ -6,10 +6,6 @@ namespace NeuronMocap.Packaging.Tests.Infrastructure;
 /// <summary>Runs a program to its end.</summary>
 internal static class Tool
 {
-    public static bool Exists(string program) => (Environment.GetEnvironmentVariable("PATH") ?? string.Empty)
-        .Split(Path.PathSeparator)
-        .Any(folder => File.Exists(Path.Combine(folder, program)));
-
     public static async Task<string> RunAsync(string folder, string program, params string[] arguments)
     {
         (int code, string output, string error) = await TryRunAsync(folder, program, arguments);

@@ -103,9 +103,7 @@ public sealed class CompletionTests
     // Runs a script after that of the shell.
     private static async Task<string> RunAsync(string shell, string script, string before = "")
     {
-        Assert.SkipUnless(
-            (Environment.GetEnvironmentVariable("PATH") ?? string.Empty).Split(Path.PathSeparator).Any(folder => File.Exists(Path.Combine(folder, shell))),
-            $"There is no {shell}.");
+        Assert.SkipUnless(InstalledPrograms.Have(shell), $"There is no {shell}.");
         string completion = string.Join('\n', (await ToolRunner.RunAsync("completion", shell)).Output);
         string host = Environment.GetEnvironmentVariable("DOTNET_HOST_PATH") ?? "dotnet";
         string program = $"'{host}' '{ToolProcess.PathOf("neuron-mocap")}'";

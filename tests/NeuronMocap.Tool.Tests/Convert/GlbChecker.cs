@@ -22,7 +22,7 @@ internal static class GlbChecker
     /// <summary>Validates files and loads them with three.js. Skips the test without node or its packages.</summary>
     public static async Task<Report[]> CheckAsync(string[] files, double[] times)
     {
-        Assert.SkipUnless(Exists("node"), "node is not installed.");
+        Assert.SkipUnless(InstalledPrograms.Have("node"), "node is not installed.");
         string? folder = Folders.Select(static name => Repository.PathOf(name)).FirstOrDefault(static path =>
             Directory.Exists(Path.Combine(path, "node_modules", "gltf-validator")) && Directory.Exists(Path.Combine(path, "node_modules", "three")));
         Assert.SkipUnless(folder is not null, "The packages of node are missing: npm ci --prefix tests/Shared/Gltf");
@@ -40,7 +40,7 @@ internal static class GlbChecker
     /// <summary>Imports a file into Blender. Returns the joints of each armature by name, at each time. Skips the test without Blender and its NumPy.</summary>
     public static async Task<Dictionary<string, Dictionary<string, Vector3>[]>> ImportAsync(string file, double rate, double[] times)
     {
-        Assert.SkipUnless(Exists("blender"), "blender is not installed.");
+        Assert.SkipUnless(InstalledPrograms.Have("blender"), "blender is not installed.");
         string script = Repository.PathOf("tests", "Shared", "Gltf", "joints.py");
         string output = await RunAsync(
             "blender", ["-b", "--factory-startup", "--python-exit-code", "1", "--python", script, "--", file, rate.ToString(CultureInfo.InvariantCulture), Join(times)]);
@@ -51,9 +51,6 @@ internal static class GlbChecker
             static armature => armature.GetProperty("joints").EnumerateArray()
                 .Select(static pose => pose.EnumerateObject().ToDictionary(static joint => joint.Name, static joint => Point(joint.Value))).ToArray());
     }
-
-    private static bool Exists(string program) => (Environment.GetEnvironmentVariable("PATH") ?? string.Empty)
-        .Split(Path.PathSeparator).Any(folder => File.Exists(Path.Combine(folder, program)));
 
     private static async Task<string> RunAsync(string program, string[] arguments)
     {

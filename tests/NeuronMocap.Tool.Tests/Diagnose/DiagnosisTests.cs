@@ -1,4 +1,3 @@
-using System.Diagnostics;
 using System.Net;
 using System.Net.Sockets;
 using System.Text.Json;
@@ -131,7 +130,7 @@ public sealed class DiagnosisTests
             line = await monitor.Output.ReadLineAsync(TestContext.Current.CancellationToken);
         while (line?.Contains("\"name\":\"port\"", StringComparison.Ordinal) == false);
 
-        using Process kill = Process.Start("kill", ["-TERM", $"{monitor.Id}"]);
+        Signals.Send("TERM", monitor.Id);
         Assert.Equal(130, await monitor.WaitForExitAsync());
         Assert.Empty(await monitor.ReadErrorAsync());
     }

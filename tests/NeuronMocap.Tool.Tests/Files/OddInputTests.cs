@@ -88,7 +88,7 @@ public sealed class OddInputTests : IDisposable
 
         using var monitor = new ToolProcess("neuron-mocap", [tool, _folder["sparse.bin"], .. output is null ? (string[])[] : [_folder[output]]]);
         await WaitUntilReadAsync(monitor.Id, _folder["sparse.bin"]);
-        using Process kill = Process.Start("kill", ["-TERM", $"{monitor.Id}"]);
+        Signals.Send("TERM", monitor.Id);
         Assert.Equal(exitCode, await monitor.WaitForExitAsync());
         Assert.Equal(["sparse.bin"], _folder.Names);
     }
@@ -102,7 +102,7 @@ public sealed class OddInputTests : IDisposable
 
         using var simulator = new ToolProcess("neuron-mocap simulate", "--port", "0", "--play", _folder["sparse.bin"]);
         await WaitUntilReadAsync(simulator.Id, _folder["sparse.bin"]);
-        using Process kill = Process.Start("kill", ["-TERM", $"{simulator.Id}"]);
+        Signals.Send("TERM", simulator.Id);
         Assert.Equal(130, await simulator.WaitForExitAsync());
     }
 

@@ -1,4 +1,3 @@
-using System.Diagnostics;
 using NeuronMocap.Fuzz;
 using NeuronMocap.Fuzz.Targets;
 using NeuronMocap.Tool.Tests.Infrastructure;
@@ -73,7 +72,7 @@ public sealed class FuzzProcessTests
 
         using var fuzz = new ToolProcess(Program, "--bytes", "1000000000000");
         await fuzz.Output.ReadLineAsync(TestContext.Current.CancellationToken);
-        using Process kill = Process.Start("kill", [$"-{signal}", $"{fuzz.Id}"]);
+        Signals.Send(signal, fuzz.Id);
         string rest = await fuzz.Output.ReadToEndAsync(TestContext.Current.CancellationToken);
 
         Assert.Equal(code, await fuzz.WaitForExitAsync());

@@ -10,8 +10,7 @@ internal sealed class TmuxTerminal : IAsyncDisposable
     private readonly string _name = $"neuron-mocap-{Guid.NewGuid():N}";
 
     /// <summary>Whether tmux exists.</summary>
-    public static bool Exists => !OperatingSystem.IsWindows()
-        && (Environment.GetEnvironmentVariable("PATH") ?? string.Empty).Split(':').Any(static folder => File.Exists(Path.Combine(folder, "tmux")));
+    public static bool Exists => !OperatingSystem.IsWindows() && InstalledPrograms.Have("tmux");
 
     /// <summary>Runs the program. The terminal stays after it ends, with the exit code in the last line.</summary>
     public static async Task<TmuxTerminal> StartAsync(int columns, int rows, string args)

@@ -68,11 +68,7 @@ internal sealed class ToolProcess : IDisposable
     }
 
     /// <summary>Sends SIGINT, as Ctrl+C does.</summary>
-    public void Interrupt()
-    {
-        using Process kill = Process.Start("kill", ["-INT", $"{Id}"]);
-        kill.WaitForExit();
-    }
+    public void Interrupt() => Signals.Send("INT", Id);
 
     public async Task<int> WaitForExitAsync()
     {

@@ -270,7 +270,7 @@ public sealed class SimulatorProcessTests
 
         Assert.Equal(answers == "on", lines.Any(IsReply));
         Assert.All(lines, line => Assert.Contains("0 Char00 -", line, StringComparison.Ordinal));
-        using Process kill = Process.Start("kill", ["-TERM", $"{simulator.Id}"]);
+        Signals.Send("TERM", simulator.Id);
         string output = await simulator.Output.ReadToEndAsync(TestContext.Current.CancellationToken);
         Assert.Equal(answers == "on", output.Contains(", commands: 1 reply, 1 unanswered", StringComparison.Ordinal));
         Assert.Equal(0, await simulator.WaitForExitAsync());
@@ -286,7 +286,7 @@ public sealed class SimulatorProcessTests
 
         using var simulator = new ToolProcess(Program, "--port", "0");
         await ReadAddressAsync(simulator);
-        using Process kill = Process.Start("kill", ["-TERM", $"{simulator.Id}"]);
+        Signals.Send("TERM", simulator.Id);
         Assert.Equal(0, await simulator.WaitForExitAsync());
     }
 

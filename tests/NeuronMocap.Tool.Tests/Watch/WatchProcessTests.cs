@@ -57,7 +57,7 @@ public sealed class MonitorProcessTests
             line = await monitor.Output.ReadLineAsync(TestContext.Current.CancellationToken);
         while (line?.Contains("\"index\":2", StringComparison.Ordinal) == false);
 
-        using Process kill = Process.Start("kill", [$"-{signal}", $"{monitor.Id}"]);
+        Signals.Send(signal, monitor.Id);
         Task<string> reading = monitor.Output.ReadToEndAsync(TestContext.Current.CancellationToken);
 
         Assert.Equal(0, await monitor.WaitForExitAsync());

@@ -32,7 +32,7 @@ public sealed class SharedBrowser : IAsyncDisposable
     /// <param name="asInstalled">Draws as for a person. The first call decides.</param>
     public async Task<IBrowser> StartAsync(bool asInstalled = false)
     {
-        string? path = (asInstalled ? Names : [WithoutWindows, .. Names]).Select(FindProgram).FirstOrDefault(static found => found is not null);
+        string? path = (asInstalled ? Names : [WithoutWindows, .. Names]).Select(InstalledPrograms.PathOf).FirstOrDefault(static found => found is not null);
         Assert.SkipWhen(path is null, "There is no Chromium and no Chrome on the PATH.");
         Assert.SkipWhen(typeof(NeuronMocap.Tool.View.ViewOptions).Assembly.GetManifestResourceInfo("web/app.js.gz") is null, "The program is built without its page.");
         if (_browser is not null)
@@ -68,9 +68,4 @@ public sealed class SharedBrowser : IAsyncDisposable
             await _browser.DisposeAsync();
         _playwright?.Dispose();
     }
-
-    private static string? FindProgram(string name) => (Environment.GetEnvironmentVariable("PATH") ?? string.Empty)
-        .Split(Path.PathSeparator)
-        .Select(folder => Path.Combine(folder, name))
-        .FirstOrDefault(File.Exists);
 }

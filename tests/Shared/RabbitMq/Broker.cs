@@ -13,6 +13,7 @@ internal sealed class Broker : IAsyncDisposable
 {
     // The program in /usr/sbin asks for root or the user rabbitmq.
     private const string Server = "/usr/lib/rabbitmq/bin/rabbitmq-server";
+    private const string NameServer = "epmd";
 
     // A user whom the broker knows, without any permission.
     public const string Stranger = "stranger";
@@ -40,7 +41,9 @@ internal sealed class Broker : IAsyncDisposable
     public string Address => string.Create(CultureInfo.InvariantCulture, $"amqp://guest:guest@127.0.0.1:{Port}/");
 
     /// <summary>Why there can be no broker here; null if there can.</summary>
-    public static string? Missing => File.Exists(Server) ? null : $"There is no {Server}; Debian's package rabbitmq-server has it.";
+    public static string? Missing => File.Exists(Server) && InstalledPrograms.Have(NameServer)
+        ? null
+        : $"There is no {Server}, or no {NameServer}; Debian's package rabbitmq-server has both.";
 
     public static async Task<Broker> StartAsync()
     {
@@ -155,7 +158,7 @@ internal sealed class Broker : IAsyncDisposable
     private async Task StartNamesAsync()
     {
         WriteFiles();
-        _names = Run("names.log", "epmd", "-port", _namePort.ToString(CultureInfo.InvariantCulture));
+        _names = Run("names.log", NameServer, "-port", _namePort.ToString(CultureInfo.InvariantCulture));
         using var limit = new CancellationTokenSource(StartLimit);
         while (true)
         {

@@ -10,9 +10,7 @@ internal static class NodeProgram
 
     private static readonly string Folder = Repository.PathOf("web");
 
-    public static bool Exists { get; } = (Environment.GetEnvironmentVariable("PATH") ?? string.Empty)
-        .Split(Path.PathSeparator)
-        .Any(static folder => File.Exists(Path.Combine(folder, "node")) || File.Exists(Path.Combine(folder, "node.exe")));
+    public static bool Exists { get; } = InstalledPrograms.Have("node");
 
     /// <summary>Runs a script to its end, or skips the test if there is no Node or no package.</summary>
     /// <returns>The exit code, and what the script wrote.</returns>

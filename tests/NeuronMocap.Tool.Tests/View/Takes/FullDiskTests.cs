@@ -50,8 +50,7 @@ public sealed class FullDiskTests : IDisposable
         string other = JsonDocument.Parse(await accepted.Content.ReadAsStringAsync(token)).RootElement.GetProperty("id").GetString()!;
         Assert.Equal(2, (await WaitAsync(client, other)).GetProperty("performers")[0].GetProperty("frames").GetInt64());
 
-        using (Process kill = Process.Start("kill", ["-TERM", $"{view.Id}"]))
-            await kill.WaitForExitAsync(token);
+        Signals.Send("TERM", view.Id);
         await view.WaitForExitAsync(token).Soon();
         Assert.Equal(0, view.ExitCode);
         Assert.DoesNotContain("at NeuronMocap", await view.StandardError.ReadToEndAsync(token), StringComparison.Ordinal);
