@@ -115,18 +115,16 @@ public abstract class HostileServerTests
         List<uint?> indices = Indices(reader);
         reader.Start();
         await reader.WaitForFramesAsync(Frames);
-        await log.WaitAsync(ConnectionState.Receiving);
+
+        // A thread that still reports a silence also reports what comes after it, which can be later than the frames. A busy machine may cause further pauses.
+        await Limits.UntilAsync(() => Count(ConnectionState.Receiving) >= 3 && Count(ConnectionState.Silent) >= 2);
 
         Assert.Equal(Enumerable.Range(0, Frames).Select(i => (uint?)i), indices);
-
-        // A busy machine may cause further pauses.
-        List<ConnectionState> states = [.. log.All.Select(static status => status.State)];
-        Assert.Equal([ConnectionState.Connecting, ConnectionState.Connected], states.Take(2));
-        Assert.InRange(states.Count(static state => state == ConnectionState.Receiving), 3, int.MaxValue);
-        Assert.InRange(states.Count(static state => state == ConnectionState.Silent), 2, int.MaxValue);
+        Assert.Equal([ConnectionState.Connecting, ConnectionState.Connected], log.All.Take(2).Select(static status => status.State));
         Assert.All(log.All.Where(status => status.State == ConnectionState.Silent), status => Assert.Equal(ConnectionReason.NoData, status.Reason));
         Assert.Equal((0L, 0L), (reader.GetStatistics().BytesSkipped, reader.GetStatistics().Reconnects));
 
+        int Count(ConnectionState state) => log.All.Count(status => status.State == state);
         Task SilenceAsync(int frames) => Limits.UntilAsync(() => told!.GetStatistics().MotionFrames == frames && told.Status.State == ConnectionState.Silent);
     }
 

@@ -117,11 +117,16 @@ public sealed class TakePageTests(SharedBrowser browser)
                 return;
             }
 
-            // The program has found the performer, and no frame yet.
-            isFirst = false;
             IAPIResponse answer = await route.FetchAsync();
             JsonNode take = JsonNode.Parse(await answer.TextAsync())!;
-            JsonNode performer = take["performers"]![0]!;
+            if (take["performers"]!.AsArray().FirstOrDefault() is not { } performer)
+            {
+                await route.FulfillAsync(new RouteFulfillOptions { Response = answer });
+                return;
+            }
+
+            // The program has found the performer, and no frame yet.
+            isFirst = false;
             take["progress"] = 0.5;
             foreach (string name in (string[])["frames", "start", "end"])
                 performer[name] = 0;
