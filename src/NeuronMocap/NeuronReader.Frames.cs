@@ -114,7 +114,9 @@ public sealed partial class NeuronReader
     /// All frames until the reader stops. Up to 512 frames wait for a slow loop; further frames are dropped and counted in
     /// <see cref="ReaderStatistics.Dropped"/>.
     /// </returns>
-    /// <exception cref="NeuronConnectionException">Reconnecting is off, and the connection failed or was closed.</exception>
+    /// <exception cref="NeuronConnectionException">
+    /// Reconnecting is off, and the connection failed. If the server closes it, the enumeration ends without an exception; <see cref="Status"/> has the reason.
+    /// </exception>
     public IAsyncEnumerable<MotionFrame> ReadMotionAsync(CancellationToken cancellationToken = default) =>
         ReadAsync<MotionFrame>(PacketKind.Motion, options: null, cancellationToken);
 
@@ -126,14 +128,18 @@ public sealed partial class NeuronReader
     /// <param name="cancellationToken">Ends the enumeration with an <see cref="OperationCanceledException"/>; the reader continues.</param>
     /// <returns>The frames until the reader stops.</returns>
     /// <exception cref="ArgumentException">An option is out of range; the message names it.</exception>
-    /// <exception cref="NeuronConnectionException">Reconnecting is off, and the connection failed or was closed.</exception>
+    /// <exception cref="NeuronConnectionException">
+    /// Reconnecting is off, and the connection failed. If the server closes it, the enumeration ends without an exception; <see cref="Status"/> has the reason.
+    /// </exception>
     public IAsyncEnumerable<MotionFrame> ReadMotionAsync(FrameQueueOptions options, CancellationToken cancellationToken = default) =>
         ReadAsync<MotionFrame>(PacketKind.Motion, Checked(options), cancellationToken);
 
     /// <summary>Enumerates calculation frames as they arrive; otherwise the same as <see cref="ReadMotionAsync(CancellationToken)"/>.</summary>
     /// <param name="cancellationToken">Ends the enumeration with an <see cref="OperationCanceledException"/>; the reader continues.</param>
     /// <returns>All frames until the reader stops.</returns>
-    /// <exception cref="NeuronConnectionException">Reconnecting is off, and the connection failed or was closed.</exception>
+    /// <exception cref="NeuronConnectionException">
+    /// Reconnecting is off, and the connection failed. If the server closes it, the enumeration ends without an exception; <see cref="Status"/> has the reason.
+    /// </exception>
     public IAsyncEnumerable<CalculationFrame> ReadCalculationAsync(CancellationToken cancellationToken = default) =>
         ReadAsync<CalculationFrame>(PacketKind.Calculation, options: null, cancellationToken);
 
@@ -144,14 +150,18 @@ public sealed partial class NeuronReader
     /// <param name="cancellationToken">Ends the enumeration with an <see cref="OperationCanceledException"/>; the reader continues.</param>
     /// <returns>The frames until the reader stops.</returns>
     /// <exception cref="ArgumentException">An option is out of range; the message names it.</exception>
-    /// <exception cref="NeuronConnectionException">Reconnecting is off, and the connection failed or was closed.</exception>
+    /// <exception cref="NeuronConnectionException">
+    /// Reconnecting is off, and the connection failed. If the server closes it, the enumeration ends without an exception; <see cref="Status"/> has the reason.
+    /// </exception>
     public IAsyncEnumerable<CalculationFrame> ReadCalculationAsync(FrameQueueOptions options, CancellationToken cancellationToken = default) =>
         ReadAsync<CalculationFrame>(PacketKind.Calculation, Checked(options), cancellationToken);
 
     /// <summary>Enumerates calculation frames of Axis Studio as they arrive; otherwise the same as <see cref="ReadMotionAsync(CancellationToken)"/>.</summary>
     /// <param name="cancellationToken">Ends the enumeration with an <see cref="OperationCanceledException"/>; the reader continues.</param>
     /// <returns>All frames until the reader stops.</returns>
-    /// <exception cref="NeuronConnectionException">Reconnecting is off, and the connection failed or was closed.</exception>
+    /// <exception cref="NeuronConnectionException">
+    /// Reconnecting is off, and the connection failed. If the server closes it, the enumeration ends without an exception; <see cref="Status"/> has the reason.
+    /// </exception>
     public IAsyncEnumerable<StudioCalculationFrame> ReadStudioCalculationAsync(CancellationToken cancellationToken = default) =>
         ReadAsync<StudioCalculationFrame>(PacketKind.StudioCalculation, options: null, cancellationToken);
 
@@ -163,7 +173,9 @@ public sealed partial class NeuronReader
     /// <param name="cancellationToken">Ends the enumeration with an <see cref="OperationCanceledException"/>; the reader continues.</param>
     /// <returns>The frames until the reader stops.</returns>
     /// <exception cref="ArgumentException">An option is out of range; the message names it.</exception>
-    /// <exception cref="NeuronConnectionException">Reconnecting is off, and the connection failed or was closed.</exception>
+    /// <exception cref="NeuronConnectionException">
+    /// Reconnecting is off, and the connection failed. If the server closes it, the enumeration ends without an exception; <see cref="Status"/> has the reason.
+    /// </exception>
     public IAsyncEnumerable<StudioCalculationFrame> ReadStudioCalculationAsync(FrameQueueOptions options, CancellationToken cancellationToken = default) =>
         ReadAsync<StudioCalculationFrame>(PacketKind.StudioCalculation, Checked(options), cancellationToken);
 

@@ -188,8 +188,14 @@ public sealed class FrameQueue : IPacketConsumer, ICountedConsumer, IDisposable
     /// <returns>False if no frame will follow: the reader has stopped and the queue is empty, or the queue was disposed.</returns>
     /// <exception cref="InvalidOperationException">Another wait for this queue has not ended; it continues.</exception>
     /// <remarks>Only one wait at a time. It costs nothing while frames wait. The code after it runs on a pool thread, or on the caller's context.</remarks>
-    public ValueTask<bool> WaitAsync(CancellationToken cancellationToken = default) =>
-        Count > 0 && !_disposed ? new ValueTask<bool>(true) : WaitForFrameAsync(cancellationToken);
+    public ValueTask<bool> WaitAsync(CancellationToken cancellationToken = default)
+    {
+        // Also if frames wait: a loop that is slower than the stream would never end.
+        if (cancellationToken.IsCancellationRequested)
+            return new ValueTask<bool>(Task.FromCanceled<bool>(cancellationToken));
+
+        return Count > 0 && !_disposed ? new ValueTask<bool>(true) : WaitForFrameAsync(cancellationToken);
+    }
 
     /// <summary>Removes the queue from its reader and discards the waiting frames. Any thread, any number of times.</summary>
     public void Dispose()

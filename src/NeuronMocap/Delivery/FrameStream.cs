@@ -26,8 +26,14 @@ internal sealed class FrameStream : IDisposable
         return _taken.TryDequeue(out AvatarFrame? frame) ? frame : null;
     }
 
-    // Returns null at the end.
-    public ValueTask<AvatarFrame?> ReadAsync(CancellationToken cancellationToken) => TryRead() is { } frame ? new(frame) : WaitAsync(cancellationToken);
+    // Returns null at the end. A cancelled loop gets no more frames, even if some wait: a slow loop would never end.
+    public ValueTask<AvatarFrame?> ReadAsync(CancellationToken cancellationToken)
+    {
+        if (cancellationToken.IsCancellationRequested)
+            return new ValueTask<AvatarFrame?>(Task.FromCanceled<AvatarFrame?>(cancellationToken));
+
+        return TryRead() is { } frame ? new(frame) : WaitAsync(cancellationToken);
+    }
 
     private async ValueTask<AvatarFrame?> WaitAsync(CancellationToken cancellationToken)
     {

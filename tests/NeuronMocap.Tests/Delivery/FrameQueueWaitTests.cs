@@ -75,6 +75,14 @@ public sealed class FrameQueueWaitTests
     }
 
     [Fact]
+    public async Task A_cancelled_wait_throws_also_while_frames_wait()
+    {
+        Publish(1);
+        await Assert.ThrowsAnyAsync<OperationCanceledException>(() => _queue.WaitAsync(new CancellationToken(canceled: true)).AsTask().Soon());
+        Assert.True(await _queue.WaitAsync(Cancelled));
+    }
+
+    [Fact]
     public async Task A_second_wait_is_refused_and_the_first_one_gets_the_frame()
     {
         Task<bool> first = _queue.WaitAsync(Cancelled).AsTask();

@@ -221,6 +221,21 @@ public sealed class TcpReaderTests : IDisposable
         await received.Task.Soon();
     }
 
+    [Fact]
+    public async Task An_enumeration_that_is_cancelled_ends_although_frames_wait()
+    {
+        await using var reader = new NeuronReader(_server.Options());
+        using var cancellation = new CancellationTokenSource();
+        await using IAsyncEnumerator<MotionFrame> frames = reader.ReadMotionAsync(cancellation.Token).GetAsyncEnumerator();
+        Task<bool> first = frames.MoveNextAsync().AsTask();
+        using TestConnection connection = await _server.AcceptAsync();
+        await connection.SendAsync(TestPackets.Motions(0, 100));
+        Assert.True(await first.Soon());
+        await reader.WaitForFramesAsync(100);
+        await cancellation.CancelAsync();
+        await Assert.ThrowsAnyAsync<OperationCanceledException>(() => frames.MoveNextAsync().AsTask().Soon());
+    }
+
     public void Dispose() => _server.Dispose();
 
     private static void AssertFrames(List<MotionFrame> frames)
