@@ -40,7 +40,7 @@ internal sealed class UnitCollector(bool keepsIncomplete) : IPacketReceiver
         Cut(packet.Kind is PacketKind.Calculation or PacketKind.StudioCalculation);
     }
 
-    public void OnText(ReadOnlySpan<byte> bytes)
+    public void OnText(ReadOnlySpan<byte> bytes, PacketKind kind)
     {
         EndBlanks();
         _isText = true;

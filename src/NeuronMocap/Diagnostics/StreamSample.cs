@@ -71,7 +71,7 @@ internal sealed class StreamSample(PacketKind wanted) : IPacketReceiver
             _wantedFrame.TrySetResult(true);
     }
 
-    public void OnText(ReadOnlySpan<byte> bytes)
+    public void OnText(ReadOnlySpan<byte> bytes, PacketKind kind)
     {
         Begin(bytes);
         Bytes += bytes.Length;

@@ -5,8 +5,8 @@ internal interface IPacketReceiver
 {
     void OnPacket(in ReceivedPacket packet);
 
-    // Bytes of the text stream. For a line with a frame, this is called before OnPacket; otherwise these are bytes between lines.
-    void OnText(ReadOnlySpan<byte> bytes);
+    // Bytes of the text stream. For a line with a frame, this is called before OnPacket, with the kind of frame. Otherwise these are bytes between lines.
+    void OnText(ReadOnlySpan<byte> bytes, PacketKind kind);
 
     void OnSkipped(ReadOnlySpan<byte> bytes, SkipReason reason);
 }

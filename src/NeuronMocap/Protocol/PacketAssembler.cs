@@ -85,7 +85,7 @@ internal sealed class PacketAssembler(PacketScanner scanner, IPacketReceiver rec
 
     private void DeliverText(in StreamScan scan, ReadOnlySpan<byte> bytes, long timestamp)
     {
-        receiver.OnText(bytes);
+        receiver.OnText(bytes, scan.Part == StreamPart.Line ? scan.Kind : PacketKind.None);
         if (scan.Part == StreamPart.Line)
             receiver.OnPacket(new ReceivedPacket(scan.Kind, _scanner.Image, 0, _scanner.ImageLength, timestamp, Origin));
     }

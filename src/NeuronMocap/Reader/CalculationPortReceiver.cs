@@ -35,7 +35,7 @@ internal sealed class CalculationPortReceiver(ReceivePipeline pipeline, StreamRe
         }
     }
 
-    public void OnText(ReadOnlySpan<byte> bytes) => pipeline.CountText(bytes.Length);
+    public void OnText(ReadOnlySpan<byte> bytes, PacketKind kind) => pipeline.CountText(bytes.Length);
 
     public void OnSkipped(ReadOnlySpan<byte> bytes, SkipReason reason)
     {

@@ -152,7 +152,7 @@ internal sealed class UdpSenders : IPacketReceiver
             _receiver.OnPacket(packet);
     }
 
-    void IPacketReceiver.OnText(ReadOnlySpan<byte> bytes) => _receiver.OnText(bytes);
+    void IPacketReceiver.OnText(ReadOnlySpan<byte> bytes, PacketKind kind) => _receiver.OnText(bytes, kind);
 
     void IPacketReceiver.OnSkipped(ReadOnlySpan<byte> bytes, SkipReason reason) => _receiver.OnSkipped(bytes, reason);
 

@@ -27,7 +27,7 @@ internal sealed class StreamReading : IPacketReceiver
         Packets = 0;
     }
 
-    public void OnText(ReadOnlySpan<byte> bytes)
+    public void OnText(ReadOnlySpan<byte> bytes, PacketKind kind)
     {
         WrongResultException.ThrowUnless(
             bytes.Length > 0 && bytes.Length <= _stream.Count - Position && bytes.SequenceEqual(_stream.AsSpan(Position, bytes.Length)),

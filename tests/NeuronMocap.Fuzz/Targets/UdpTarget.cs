@@ -79,7 +79,7 @@ internal sealed class UdpTarget
             Packets++;
         }
 
-        public void OnText(ReadOnlySpan<byte> bytes)
+        public void OnText(ReadOnlySpan<byte> bytes, PacketKind kind)
         {
             _digest.Add(bytes);
             Bytes += bytes.Length;

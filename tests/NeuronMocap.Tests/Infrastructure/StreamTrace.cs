@@ -34,7 +34,7 @@ internal sealed class StreamTrace(byte[] stream) : IPacketReceiver
         return trace.Lines;
     }
 
-    public void OnText(ReadOnlySpan<byte> bytes)
+    public void OnText(ReadOnlySpan<byte> bytes, PacketKind kind)
     {
         if (!bytes.SequenceEqual(stream.AsSpan(_position, bytes.Length)))
             Assert.Fail($"The text at {_position} is not what the stream has there.");

@@ -106,7 +106,7 @@ public class StreamScannerWorkTests
     {
         public void OnPacket(in ReceivedPacket packet) => found.Add(packet.IsText ? "line" : "packet");
 
-        public void OnText(ReadOnlySpan<byte> bytes)
+        public void OnText(ReadOnlySpan<byte> bytes, PacketKind kind)
         {
         }
 

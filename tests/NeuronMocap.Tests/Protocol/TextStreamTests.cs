@@ -173,7 +173,7 @@ public sealed class TextStreamTests
 
         public void OnPacket(in ReceivedPacket packet) => Packets++;
 
-        public void OnText(ReadOnlySpan<byte> bytes)
+        public void OnText(ReadOnlySpan<byte> bytes, PacketKind kind)
         {
         }
 

@@ -177,6 +177,21 @@ public sealed class CalculationPortTests : IDisposable
         Assert.Equal(10, reader.GetStatistics().MotionFrames);
     }
 
+    [Fact]
+    public async Task Motion_as_text_on_the_calculation_port_is_skipped_and_reported()
+    {
+        await using NeuronReader reader = CreateReader(TransportKind.Tcp, silence: TimeSpan.FromMilliseconds(100));
+        reader.Start();
+        using TestConnection motion = await _motion.AcceptAsync();
+        using TestConnection calculation = await _calculation.AcceptAsync();
+        byte[] text = System.Text.Encoding.ASCII.GetBytes(string.Concat(Enumerable.Range(0, 10).Select(static frame => Protocol.TextReading.Line(frame, 354, " \n"))));
+        await calculation.SendAsync(text);
+        await Limits.UntilAsync(() => reader.GetStatistics().BytesSkipped == text.Length);
+        await Limits.UntilAsync(() => reader.CalculationStatus is { State: ConnectionState.Silent, Reason: ConnectionReason.UnknownFormat });
+        Assert.Contains("motion data", reader.CalculationStatus!.Value.Message, StringComparison.Ordinal);
+        Assert.Equal(0, reader.GetStatistics().MotionFrames);
+    }
+
     // Both threads deliver at full speed, but the consumers see one producer at a time.
     [Fact]
     public async Task Two_busy_connections_lose_nothing_and_keep_their_order()

@@ -116,7 +116,7 @@ public sealed partial class ByteReceiverTests
 
         public void OnPacket(in ReceivedPacket packet) => Arrays.Add(packet.Array);
 
-        public void OnText(ReadOnlySpan<byte> bytes)
+        public void OnText(ReadOnlySpan<byte> bytes, PacketKind kind)
         {
         }
 

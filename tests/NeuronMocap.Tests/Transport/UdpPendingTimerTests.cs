@@ -124,7 +124,7 @@ public sealed class UdpPendingTimerTests
                 OnSecond?.Invoke();
         }
 
-        public void OnText(ReadOnlySpan<byte> bytes)
+        public void OnText(ReadOnlySpan<byte> bytes, PacketKind kind)
         {
         }
 

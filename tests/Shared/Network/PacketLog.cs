@@ -22,7 +22,7 @@ internal sealed class PacketLog : IPacketReceiver
         Origins.Add(packet.Origin);
     }
 
-    public void OnText(ReadOnlySpan<byte> bytes) => Text += bytes.Length;
+    public void OnText(ReadOnlySpan<byte> bytes, PacketKind kind) => Text += bytes.Length;
 
     public void OnSkipped(ReadOnlySpan<byte> bytes, SkipReason reason)
     {

@@ -12,7 +12,7 @@ internal sealed class PacketCollector(StreamCounters counters) : IPacketReceiver
     private int _length;
     private int _next;
 
-    public void OnText(ReadOnlySpan<byte> bytes) => counters.CountText(bytes.Length);
+    public void OnText(ReadOnlySpan<byte> bytes, PacketKind kind) => counters.CountText(bytes.Length);
 
     public void OnSkipped(ReadOnlySpan<byte> bytes, SkipReason reason) => counters.CountSkipped(bytes.Length, reason);
 

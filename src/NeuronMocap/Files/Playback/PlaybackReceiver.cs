@@ -39,10 +39,10 @@ internal sealed class PlaybackReceiver : IPacketReceiver
             Target!.OnPacket(packet);
     }
 
-    public void OnText(ReadOnlySpan<byte> bytes)
+    public void OnText(ReadOnlySpan<byte> bytes, PacketKind kind)
     {
         if (!IsMuted)
-            Target!.OnText(bytes);
+            Target!.OnText(bytes, kind);
     }
 
     public void OnSkipped(ReadOnlySpan<byte> bytes, SkipReason reason)

@@ -60,7 +60,7 @@ internal sealed class RawDumpIndex : IPacketReceiver
         Cut();
     }
 
-    public void OnText(ReadOnlySpan<byte> bytes) => Pass(bytes.Length);
+    public void OnText(ReadOnlySpan<byte> bytes, PacketKind kind) => Pass(bytes.Length);
 
     public void OnSkipped(ReadOnlySpan<byte> bytes, SkipReason reason)
     {
