@@ -53,6 +53,9 @@ public sealed partial class NeuronReader : IDisposable, IAsyncDisposable
     private readonly StatusPublisher _status;
     private readonly LinkActivity _activity;
     private readonly SenderFilter _senders;
+
+    // Each port has a filter of its own, because the status of a port tells what was refused there.
+    private readonly SenderFilter _calculationSenders;
     private readonly ConnectionSupervisor _supervisor;
     private readonly UdpServers? _servers;
     private readonly object? _receiveLock;
@@ -141,6 +144,7 @@ public sealed partial class NeuronReader : IDisposable, IAsyncDisposable
 
         _status = new StatusPublisher(OnFirstStatusChanged);
         _senders = new SenderFilter(_options.AllowedSenders);
+        _calculationSenders = new SenderFilter(_options.AllowedSenders);
         Func<Link>? playback = player?.Attach(_senders, OnCallbackFailed);
         _format = player?.CreateFormat(_options.RotationOrder, _options.SkeletonVariant) ?? _options.Format;
         _discovery = _options.Commands is { } commands ? new ServerDiscovery(commands, _format, OnFormatLearnt) : null;
@@ -170,7 +174,7 @@ public sealed partial class NeuronReader : IDisposable, IAsyncDisposable
         }
 
         _pipeline = new ReceivePipeline(
-            _format, recognizer, _activity, _status, _senders, _metrics, _supervisor.TrySend, _recordings, OnCallbackFailed, player is null ? null : player.MayWait, _receiveLock);
+            _format, recognizer, _activity, _status, [_senders, _calculationSenders], _metrics, _supervisor.TrySend, _recordings, OnCallbackFailed, player is null ? null : player.MayWait, _receiveLock);
         if (_combinedStatus is not null)
             _calculation = CreateCalculationConnection(_options.CalculationLink!, _combinedStatus);
 
@@ -282,12 +286,13 @@ public sealed partial class NeuronReader : IDisposable, IAsyncDisposable
     /// </returns>
     public bool TryGetBody(int avatarIndex, [NotNullWhen(true)] out SkeletonBody? body) => (body = _discovery?.FindBody(avatarIndex)) is not null;
 
-    private Link CreateLink() => _options.Source is { } source ? new SourceLink(source, _options.Target, _options.Link) : CreateLink(_options.Link);
+    private Link CreateLink() => _options.Source is { } source ? new SourceLink(source, _options.Target, _options.Link) : CreateLink(_options.Link, _senders);
 
-    private Link CreateLink(LinkOptions link) => _options.Transport == TransportKind.Tcp ? new TcpLink(link) : new UdpLink(link, _senders, _servers, _receiveLock);
+    private Link CreateLink(LinkOptions link, SenderFilter senders) =>
+        _options.Transport == TransportKind.Tcp ? new TcpLink(link) : new UdpLink(link, senders, _servers, _receiveLock);
 
     private CalculationConnection CreateCalculationConnection(LinkOptions link, CombinedStatus status) => new(
-        _options, _format, _pipeline, _options.Transport == TransportKind.Udp ? _senders : null, () => CreateLink(link), status.OnCalculation);
+        _options, _format, _pipeline, _options.Transport == TransportKind.Udp ? _calculationSenders : null, () => CreateLink(link, _calculationSenders), status.OnCalculation);
 
     private void OnCallbackFailed(Exception exception)
     {

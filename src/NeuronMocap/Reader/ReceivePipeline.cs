@@ -20,7 +20,7 @@ internal sealed class ReceivePipeline : IPacketReceiver, ILinkListener, IReaderS
     private readonly StreamRecognizer _recognizer;
     private readonly LinkActivity _activity;
     private readonly StatusPublisher _status;
-    private readonly SenderFilter _senders;
+    private readonly SenderFilter[] _senders;
     private readonly ReaderMetrics _metrics;
     private readonly ReaderRecordings _recordings;
     private readonly Func<WhenFull, bool>? _mayWait;
@@ -38,7 +38,7 @@ internal sealed class ReceivePipeline : IPacketReceiver, ILinkListener, IReaderS
         StreamRecognizer recognizer,
         LinkActivity activity,
         StatusPublisher status,
-        SenderFilter senders,
+        SenderFilter[] senders,
         ReaderMetrics metrics,
         DataCommands.TrySend trySend,
         ReaderRecordings recordings,
@@ -134,7 +134,7 @@ internal sealed class ReceivePipeline : IPacketReceiver, ILinkListener, IReaderS
         }
     }
 
-    public void OnText(ReadOnlySpan<byte> bytes) => CountText(bytes.Length);
+    public void OnText(ReadOnlySpan<byte> bytes, PacketKind kind) => CountText(bytes.Length);
 
     public void OnSkipped(ReadOnlySpan<byte> bytes, SkipReason reason)
     {
@@ -271,7 +271,14 @@ internal sealed class ReceivePipeline : IPacketReceiver, ILinkListener, IReaderS
         return delivery;
     }
 
-    public ReaderStatistics GetStatistics() => _counters.Snapshot() with { RefusedDatagrams = _senders.RefusedDatagrams };
+    public ReaderStatistics GetStatistics()
+    {
+        long refused = 0;
+        foreach (SenderFilter filter in _senders)
+            refused += filter.RefusedDatagrams;
+
+        return _counters.Snapshot() with { RefusedDatagrams = refused };
+    }
 
     public IReadOnlyList<AvatarStatistics> GetAvatarStatistics() => [.. _counters.Trackers.Select(static tracker => tracker.Snapshot)];
 

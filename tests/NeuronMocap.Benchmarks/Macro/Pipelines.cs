@@ -13,7 +13,7 @@ internal static class Pipelines
         var status = new StatusPublisher(static _ => { });
         status.Set(new ConnectionStatus(ConnectionState.Connected, ConnectionReason.None, string.Empty));
         var activity = new LinkActivity(status, TimeSpan.FromSeconds(3), udpSenders: null);
-        var pipeline = new ReceivePipeline(SkeletonFormat.Default, new StreamRecognizer(SkeletonFormat.Default), activity, status, new SenderFilter([]), new ReaderMetrics("benchmark"), static _ => false, new ReaderRecordings(new NeuronReaderOptions(), "benchmark"), static exception => throw exception);
+        var pipeline = new ReceivePipeline(SkeletonFormat.Default, new StreamRecognizer(SkeletonFormat.Default), activity, status, [new SenderFilter([])], new ReaderMetrics("benchmark"), static _ => false, new ReaderRecordings(new NeuronReaderOptions(), "benchmark"), static exception => throw exception);
         pipeline.OnLinkOpened();
         return pipeline;
     }

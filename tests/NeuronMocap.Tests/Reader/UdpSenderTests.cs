@@ -58,6 +58,31 @@ public sealed class UdpSenderTests
     }
 
     [Fact]
+    public async Task Each_of_two_ports_tells_its_own_blocked_senders()
+    {
+        Loopback.NeedManyAddresses();
+        (int first, int second) = (FreePort.Next(), FreePort.Next());
+        await using var reader = new NeuronReader(new NeuronReaderOptions
+        {
+            Transport = TransportKind.Udp,
+            Port = first,
+            CalculationPort = second,
+            AllowedSenders = [IPAddress.Parse("127.0.77.6")],
+            SilenceTimeout = TimeSpan.FromMilliseconds(100),
+        });
+        var log = new StatusLog(reader);
+        await reader.StartAsync(TestContext.Current.CancellationToken).Soon();
+        using var refused = new UdpClient(new IPEndPoint(IPAddress.Parse("127.0.77.8"), 0));
+        await Limits.UntilAsync(() =>
+        {
+            refused.Send(TestPackets.Calculation(1), new IPEndPoint(IPAddress.Loopback, second));
+            return reader.CalculationStatus is { Reason: ConnectionReason.SenderNotAllowed } && log.All.Any(static status => status.State == ConnectionState.Silent);
+        });
+        Assert.DoesNotContain(log.All, static status => status.Reason == ConnectionReason.SenderNotAllowed);
+        Assert.True(reader.GetStatistics().RefusedDatagrams > 0);
+    }
+
+    [Fact]
     public async Task Allowed_senders_match_their_IPv6_addresses()
     {
         Loopback.NeedIPv6();

@@ -27,7 +27,7 @@ public sealed class ConnectionSupervisorTests
     {
         _status = new StatusPublisher(Tell);
         _activity = new LinkActivity(_status, TimeSpan.FromSeconds(3), udpSenders: null);
-        _pipeline = new ReceivePipeline(SkeletonFormat.Default, new StreamRecognizer(SkeletonFormat.Default), _activity, _status, new SenderFilter([]), new ReaderMetrics("supervisor"), _ => false, new ReaderRecordings(new NeuronReaderOptions(), "supervisor"), _ => { });
+        _pipeline = new ReceivePipeline(SkeletonFormat.Default, new StreamRecognizer(SkeletonFormat.Default), _activity, _status, [new SenderFilter([])], new ReaderMetrics("supervisor"), _ => false, new ReaderRecordings(new NeuronReaderOptions(), "supervisor"), _ => { });
     }
 
     [Fact]

@@ -57,7 +57,7 @@ internal sealed class DeliveryBench
             new StreamRecognizer(SkeletonFormat.Default),
             new LinkActivity(status, TimeSpan.FromSeconds(3), udpSenders: null),
             status,
-            new SenderFilter([]),
+            [new SenderFilter([])],
             new ReaderMetrics("delivery"),
             static _ => false,
             new ReaderRecordings(new NeuronReaderOptions(), "delivery"),
