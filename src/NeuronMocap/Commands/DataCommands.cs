@@ -182,8 +182,7 @@ public sealed class DataCommands
             if (turns.HasLateReply)
                 await RequestAsync(DataCommandId.AvatarCount, avatarIndex: 0, cancellationToken).ConfigureAwait(false);
 
-            turns.HasLateReply = true;
-            DataCommandReply reply = await RequestAsync(id, avatarIndex, cancellationToken).ConfigureAwait(false);
+            DataCommandReply reply = await RequestAsync(id, avatarIndex, cancellationToken, turns).ConfigureAwait(false);
             turns.HasLateReply = false;
             return reply;
         }
@@ -193,7 +192,7 @@ public sealed class DataCommands
         }
     }
 
-    private async Task<DataCommandReply> RequestAsync(DataCommandId id, int avatarIndex, CancellationToken cancellationToken)
+    private async Task<DataCommandReply> RequestAsync(DataCommandId id, int avatarIndex, CancellationToken cancellationToken, Turns? turns = null)
     {
         cancellationToken.ThrowIfCancellationRequested();
         ReplyWaiters.Waiter waiter = _waiters.Add(reply => reply.Id == id && (reply.AvatarIndex ?? avatarIndex) == avatarIndex);
@@ -205,6 +204,9 @@ public sealed class DataCommands
                     CommandFailure.NotConnected,
                     "The command could not be sent, because the reader is not connected over TCP. Start the reader and wait for its connection.");
             }
+
+            if (turns is not null)
+                turns.HasLateReply = true;
 
             using var timeoutSource = CancellationTokenSource.CreateLinkedTokenSource(cancellationToken);
             timeoutSource.CancelAfter(Timeout);

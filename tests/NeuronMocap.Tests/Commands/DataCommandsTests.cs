@@ -256,6 +256,19 @@ public sealed class DataCommandsTests : IDisposable
         Assert.Equal([new BoneSize("Hips", 0.75f)], await sizes.Soon());
     }
 
+    [Fact]
+    public async Task A_request_that_was_not_sent_leaves_no_late_reply()
+    {
+        await using var reader = new NeuronReader(_server.Options());
+        await Assert.ThrowsAsync<NeuronCommandException>(() => reader.DataCommands.GetBoneSizesAsync().Soon());
+        await reader.StartAsync(TestContext.Current.CancellationToken).Soon();
+        using TestConnection connection = await _server.AcceptAsync();
+        Task<IReadOnlyList<BoneSize>> sizes = reader.DataCommands.GetBoneSizesAsync(avatarIndex: 1);
+        Assert.Equal(Request(id: 0, parameter: 1), await ReadRequestAsync(connection));
+        await connection.SendAsync(DataReplies.BoneSizes(("Hips", 0.75f)));
+        Assert.Equal([new BoneSize("Hips", 0.75f)], await sizes.Soon());
+    }
+
     private async Task<NeuronReader> ConnectAsync(bool reconnect = false)
     {
         var reader = new NeuronReader(_server.Options(reconnect));
