@@ -52,7 +52,13 @@ internal static class AlternativePortScan
     {
         var sample = new StreamSample(context.Expected);
         var endpoint = new StreamEndpoint(TransportKind.Tcp, context.Link.Host, port);
-        using var link = new TcpLink(context.Link with { Host = host.ToString(), Port = port, ConnectTimeout = context.Options.Timeout });
+        using var link = new TcpLink(context.Link with
+        {
+            Host = host.ToString(),
+            Port = port,
+            Tls = context.Link.Tls?.For(context.Link.Host),
+            ConnectTimeout = context.Options.Timeout,
+        });
         LinkEnd end = await link.OpenAsync(limitSource.Token).ConfigureAwait(false);
         if (end.Reason == ConnectionReason.None && !limitSource.IsCancellationRequested)
         {

@@ -1,3 +1,4 @@
+using System.Net;
 using NeuronMocap.Diagnostics;
 
 namespace NeuronMocap.Reader;
@@ -32,8 +33,12 @@ internal static class SampleProgram
         int essential = parts.Count;
         if (options.CalculationLink is { } calculation)
             parts.Add($"CalculationPort = {calculation.Port}");
+        if (options.Tls is { } tls && endpoint.Transport == TransportKind.Tcp)
+            parts.Add($"Tls = new NeuronTlsOptions{DescribeTls(tls)}");
         if (options.LocalAddress is { } address)
-            parts.Add($"LocalAddress = IPAddress.Parse(\"{address}\")");
+            parts.Add($"LocalAddress = {Parse(address)}");
+        if (options.AllowedSenders.Count > 0 && endpoint.Transport == TransportKind.Udp)
+            parts.Add($"AllowedSenders = [{string.Join(", ", options.AllowedSenders.Select(Parse))}]");
         if (options.SharePort && endpoint.Transport == TransportKind.Udp)
             parts.Add("SharePort = true");
         if (options.RotationOrder is { } order)
@@ -43,4 +48,17 @@ internal static class SampleProgram
             ? $"\"{endpoint.Host}\", {endpoint.Port}"
             : $"new NeuronReaderOptions {{ {string.Join(", ", parts)} }}";
     }
+
+    private static string DescribeTls(NeuronTlsOptions tls)
+    {
+        var parts = new List<string>();
+        if (tls.TargetHost is { } name)
+            parts.Add($"TargetHost = \"{name}\"");
+        if (tls.TrustedCertificate is not null)
+            parts.Add("TrustedCertificate = certificate /* the one that you trust */");
+
+        return parts.Count > 0 ? $" {{ {string.Join(", ", parts)} }}" : "()";
+    }
+
+    private static string Parse(IPAddress address) => $"System.Net.IPAddress.Parse(\"{address}\")";
 }

@@ -9,15 +9,25 @@ public sealed class SampleProgramTests
     [Fact]
     public void The_sample_program_keeps_other_options()
     {
-        var options = new NeuronReaderOptions { LocalAddress = IPAddress.Loopback, SharePort = true, RotationOrder = RotationOrder.XYZ };
+        var options = new NeuronReaderOptions { LocalAddress = IPAddress.Loopback, AllowedSenders = [IPAddress.Parse("192.168.1.20")], SharePort = true, RotationOrder = RotationOrder.XYZ };
         string code = SampleProgram.For(options, new StreamEndpoint(TransportKind.Udp, "studio", 7012), PacketKind.Calculation);
         Assert.Equal(
             """
-            await using var reader = new NeuronReader(new NeuronReaderOptions { Transport = TransportKind.Udp, Port = 7012, LocalAddress = IPAddress.Parse("127.0.0.1"), SharePort = true, RotationOrder = RotationOrder.XYZ });
+            await using var reader = new NeuronReader(new NeuronReaderOptions { Transport = TransportKind.Udp, Port = 7012, LocalAddress = System.Net.IPAddress.Parse("127.0.0.1"), AllowedSenders = [System.Net.IPAddress.Parse("192.168.1.20")], SharePort = true, RotationOrder = RotationOrder.XYZ });
             await foreach (var frame in reader.ReadCalculationAsync())
                 Console.WriteLine(frame.AvatarName);
             """,
             code);
+    }
+
+    [Theory]
+    [InlineData(null, "Tls = new NeuronTlsOptions()")]
+    [InlineData("studio.example", "Tls = new NeuronTlsOptions { TargetHost = \"studio.example\" }")]
+    public void An_encrypted_server_stays_encrypted(string? name, string expected)
+    {
+        var options = new NeuronReaderOptions { Tls = new NeuronTlsOptions { TargetHost = name } };
+        string code = SampleProgram.For(options, new StreamEndpoint(TransportKind.Tcp, "studio", 7001), PacketKind.Motion);
+        Assert.Contains($"Host = \"studio\", Port = 7001, {expected} }});", code, StringComparison.Ordinal);
     }
 
     [Fact]
