@@ -20,7 +20,10 @@ public sealed class WebSocketSource : ByteSource
 
     private const int SwitchingProtocols = 101;
 
+    private static readonly TimeSpan LongestTimeout = TimeSpan.FromMinutes(5);
+
     private readonly string? _token;
+    private readonly TimeSpan _connectTimeout = TimeSpan.FromSeconds(5);
 
     /// <summary>Creates a source without connecting.</summary>
     /// <param name="address">The address of the server: <c>ws://</c> or <c>wss://</c>, a host, and usually a port.</param>
@@ -45,8 +48,15 @@ public sealed class WebSocketSource : ByteSource
     /// <summary>The address of the server.</summary>
     public Uri Address { get; }
 
-    /// <summary>Longest time to wait for the server: more than zero. The default is 5 s.</summary>
-    public TimeSpan ConnectTimeout { get; init; } = TimeSpan.FromSeconds(5);
+    /// <summary>Longest time to wait for the server: more than zero, at most 5 minutes. The default is 5 s.</summary>
+    /// <exception cref="ArgumentOutOfRangeException">The value is out of range.</exception>
+    public TimeSpan ConnectTimeout
+    {
+        get => _connectTimeout;
+        init => _connectTimeout = value > TimeSpan.Zero && value <= LongestTimeout
+            ? value
+            : throw new ArgumentOutOfRangeException(nameof(value), value, "The timeout must be more than zero and at most 5 minutes.");
+    }
 
     /// <summary>The address without its query, which may hold a token.</summary>
     public override string Name => Address.GetLeftPart(UriPartial.Path).TrimEnd('/');
@@ -67,7 +77,7 @@ public sealed class WebSocketSource : ByteSource
             if (_token is not null)
                 socket.Options.SetRequestHeader("Authorization", $"Bearer {_token}");
 
-            await socket.ConnectAsync(Address, timeoutSource.Token).ConfigureAwait(false);
+            await WebSocketConnect.ConnectAsync(socket, Address, timeoutSource.Token).ConfigureAwait(false);
             return new WebSocketStream(socket, Name);
         }
         catch (Exception exception)

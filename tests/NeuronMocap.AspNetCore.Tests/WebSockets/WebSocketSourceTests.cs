@@ -35,6 +35,28 @@ public sealed class WebSocketSourceTests
         await Limits.UntilAsync(() => site.Broadcaster.GetStatistics().Clients == 0);
     }
 
+    // The system lists a connection with the timer that runs for it: 02 is that of keep-alive.
+    [Fact]
+    public async Task A_dead_server_is_noticed_by_probes()
+    {
+        Assert.SkipUnless(File.Exists("/proc/net/tcp"), "This system does not list its connections in a file.");
+        await using MotionSite site = await MotionSite.StartAsync();
+        var address = new Uri(site.Address);
+        await using var reader = new NeuronReader(Options(new WebSocketSource(address)));
+        await reader.StartAsync(TestContext.Current.CancellationToken).Soon();
+        string server = $"0100007F:{address.Port:X4}";
+        await Limits.UntilAsync(() => ((string[])["/proc/net/tcp", "/proc/net/tcp6"]).Where(File.Exists).SelectMany(File.ReadAllLines)
+            .Select(static line => line.Split(' ', StringSplitOptions.RemoveEmptyEntries))
+            .Any(words => words[2].EndsWith(server, StringComparison.Ordinal) && words[5].StartsWith("02:", StringComparison.Ordinal)));
+    }
+
+    [Fact]
+    public void A_timeout_that_cannot_work_is_refused()
+    {
+        foreach (TimeSpan timeout in (TimeSpan[])[TimeSpan.Zero, TimeSpan.FromSeconds(-5), TimeSpan.MaxValue, Timeout.InfiniteTimeSpan])
+            Assert.Throws<ArgumentOutOfRangeException>(() => new WebSocketSource(new Uri("ws://127.0.0.1:1")) { ConnectTimeout = timeout });
+    }
+
     [Fact]
     public async Task A_stop_ends_a_pending_read()
     {
