@@ -20,7 +20,7 @@ public sealed partial class NeuronReader
 
         TimeSpan period = TimeSpan.FromSeconds(Math.Min(0.5, _options.SilenceTimeout.TotalSeconds / 4));
         _watchdog = new Watchdog(period, Check, IsIdle);
-        if (StartsOnPool || _options.ReceiveThread == ReceiveThread.Pool || !TryRunOnThread())
+        if (StartsOnPool || _options.ReceiveThread == ReceiveThread.Pool || !TryRunOnThread("NeuronMocap start", () => _ = RunAsync()))
             _ = Task.Run(RunAsync);
     }
 
@@ -96,8 +96,9 @@ public sealed partial class NeuronReader
     /// times.
     /// </summary>
     /// <remarks>
-    /// There are two exceptions. When a handler calls this method, the method returns before that handler does. A handler that is still busy after 2 s is
-    /// left running. Queues and statistics stay readable.
+    /// There are two exceptions. When a handler calls this method, the method returns before that handler does, and perhaps before the connection or port is
+    /// closed: await <see cref="Completion"/> before another reader uses the same port. A handler that is still busy after 2 s is left running. Queues and
+    /// statistics stay readable.
     /// </remarks>
     public void Dispose()
     {
@@ -146,8 +147,8 @@ public sealed partial class NeuronReader
             _discovery?.Stop();
             if (Interlocked.Exchange(ref _started, 1) == 0)
                 End();
-            else
-                _ = DedicatedThread.RunAsync("NeuronMocap stop", End);
+            else if (!TryRunOnThread("NeuronMocap stop", End))
+                End();
         }
     }
 
@@ -167,11 +168,11 @@ public sealed partial class NeuronReader
     }
 
     // A busy process may have no pool thread for a while. Returns false if the system has no threads left.
-    private bool TryRunOnThread()
+    private static bool TryRunOnThread(string name, Action action)
     {
         try
         {
-            _ = DedicatedThread.RunAsync("NeuronMocap start", () => _ = RunAsync());
+            _ = DedicatedThread.RunAsync(name, action);
             return true;
         }
         catch (OutOfMemoryException)
