@@ -111,7 +111,21 @@ public sealed partial class Broadcaster
         _workers.Add(worker);
     }
 
-    private int CountClients(BroadcastStream stream) => _recipients.Count(recipient => recipient.Stream == stream && recipient is ClientSession);
+    private int CountClients(BroadcastStream stream) => ClientsOf(stream).Count;
+
+    private List<ClientSession> ClientsOf(BroadcastStream stream) => [.. _recipients.OfType<ClientSession>().Where(client => client.Stream == stream)];
+
+    // A session notices that its client has left when it sends the next frame. While a relay gets no frames, such sessions would fill the port.
+    private bool HasRoom(BroadcastStream stream)
+    {
+        List<ClientSession> clients = ClientsOf(stream);
+        if (clients.Count < _options.MaxClients)
+            return true;
+
+        List<ClientSession> left = clients.FindAll(static client => client.IsLeft);
+        left.ForEach(static client => client.Leave());
+        return clients.Count - left.Count < _options.MaxClients;
+    }
 
     private void OnAccepted(BroadcastStream stream, Socket socket)
     {
@@ -125,7 +139,7 @@ public sealed partial class Broadcaster
     // Takes the client's place in the log before the first frame is made. Returns false if the client is not served; the caller then ends its connection.
     private bool TryServe(BroadcastStream stream, Func<ClientTransport> open, Action<Recipient, Exception?> ended)
     {
-        if (_hasEnded || CountClients(stream) >= _options.MaxClients)
+        if (_hasEnded || !HasRoom(stream))
         {
             _refused += _hasEnded ? 0 : 1;
             return false;

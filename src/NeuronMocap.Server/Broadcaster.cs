@@ -136,7 +136,7 @@ public sealed partial class Broadcaster : IDisposable, IAsyncDisposable
             total = total with { RequestsDropped = total.RequestsDropped + (_forwarder?.Dropped ?? 0) };
             long incomplete = (_pacer as ReaderPacer)?.IncompletePackets ?? 0;
             return new BroadcasterStatistics(
-                _streams.Sum(CountClients), _streams.Where(stream => stream.IsBeside).Sum(CountClients), _accepted, _refused, incomplete, total);
+                _streams.Sum(CountClients), _streams.Where(static stream => stream.IsBeside).Sum(CountClients), _accepted, _refused, incomplete, total);
         }
     }
 

@@ -147,6 +147,27 @@ public sealed class BroadcasterReaderDirectTests
         }
     }
 
+    // A relay whose server sends nothing. Only sending would show that a client has left.
+    [Fact]
+    public async Task Clients_that_have_left_give_way_while_no_frames_come()
+    {
+        await using var reader = new NeuronReader("127.0.0.1");
+        await using Broadcaster broadcaster = Broadcasts.Started(new BroadcasterOptions { Reader = reader, Port = 0, MaxClients = 2 });
+        for (int i = 0; i < 2; i++)
+        {
+            TestClient gone = await TestClient.ConnectAsync(broadcaster.LocalEndPoint);
+            await Limits.UntilAsync(() => broadcaster.GetStatistics().Accepted == i + 1);
+            gone.Dispose();
+        }
+
+        using TestClient client = await TestClient.ConnectAsync(broadcaster.LocalEndPoint, allowsCutEnd: true);
+        await Limits.UntilAsync(() => broadcaster.GetStatistics() is { Accepted: 3, Clients: 1 });
+        Assert.Equal(0, broadcaster.GetStatistics().Refused);
+        reader.Tap.Open(isDatagrams: false, local: null, remote: null, 0);
+        reader.Tap.OnBytes(0, [], TestPackets.Motion(0), 1);
+        Assert.Equal(TestPackets.Motion(0), await client.ReadAsync());
+    }
+
     [Fact]
     public async Task Several_broadcasters_of_a_reader_come_and_go_independently()
     {

@@ -34,6 +34,7 @@ internal sealed partial class ClientSession : NetworkRecipient
     // Whether the thread that publishes may send while this session's thread waits for a frame.
     private readonly bool _isDirect;
 
+    private volatile bool _isDisposed;
     private byte[] _buffer;
     private long _sent;
     private long _motionSent;
@@ -62,7 +63,21 @@ internal sealed partial class ClientSession : NetworkRecipient
         _listensHere = _isDirect && !feed.IsLive;
     }
 
-    public override void Dispose() => _transport.Dispose();
+    // Whether the client has closed its side. It may still read: a client that asks nothing can close its sending side.
+    public bool IsLeft => _isDisposed || _transport.IsLeft;
+
+    // Thread-safe. Ends the session, also while its thread waits for a frame.
+    public void Leave()
+    {
+        Dispose();
+        Feed.Wake();
+    }
+
+    public override void Dispose()
+    {
+        _isDisposed = true;
+        _transport.Dispose();
+    }
 
     // Thread-safe. Called when a value has changed.
     public void Push(DataCommandId id, int avatar)
@@ -80,7 +95,7 @@ internal sealed partial class ClientSession : NetworkRecipient
         {
             ListenNow();
             FrameBatch batch = ReadFeed(_buffer.AsSpan(kept, ReadSize));
-            if (!WriteRest())
+            if (_isDisposed || !WriteRest())
                 return false;
 
             isOver = batch.Bytes == 0 && Feed.HasEnded;
