@@ -1,6 +1,7 @@
 using System.Diagnostics;
 using System.Globalization;
 using System.Net.WebSockets;
+using System.Security.Cryptography;
 using Microsoft.AspNetCore.Builder;
 using Microsoft.AspNetCore.Http;
 using Microsoft.AspNetCore.Http.Features;
@@ -30,7 +31,9 @@ internal sealed class CharacterLibrary(LiveSession? live, ITakeLibrary takes) : 
 
     private readonly Lock _lock = new();
     private readonly Dictionary<uint, CharacterMotion> _characters = [];
-    private uint _last;
+
+    // Pages outlive the program. A page of an earlier run must not find the character of another page under the number of its own.
+    private uint _last = (uint)RandomNumberGenerator.GetInt32(int.MaxValue);
 
     public void Map(IEndpointRouteBuilder endpoints)
     {

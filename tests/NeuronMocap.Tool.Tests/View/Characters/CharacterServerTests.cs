@@ -28,6 +28,20 @@ public sealed class CharacterServerTests
         Assert.All(bones, bone => Assert.StartsWith("mixamorig:", nodes[bone.GetProperty("node").GetInt32()].Name, StringComparison.Ordinal));
     }
 
+    // A page stays open while the program starts again, and other pages bring their characters first.
+    [Fact]
+    public async Task A_character_of_an_earlier_run_is_not_found_under_the_number_of_another()
+    {
+        using var demo = Broadcaster.StartDemo();
+        uint old;
+        await using (CharacterServer first = await CharacterServer.StartAsync(demo.LocalEndPoint!))
+            old = await first.AddAsync(SampleCharacters.OfRig("mixamo"));
+        await using CharacterServer second = await CharacterServer.StartAsync(demo.LocalEndPoint!);
+        await second.AddAsync(SampleCharacters.OfRig("mixamo"));
+        (int status, _) = await second.SendAsync(HttpMethod.Put, $"api/characters/{old}", new JsonObject { ["performer"] = "0-0" });
+        Assert.Equal(404, status);
+    }
+
     [Fact]
     public async Task Poses_arrive_while_a_page_listens_and_cost_nothing_otherwise()
     {
