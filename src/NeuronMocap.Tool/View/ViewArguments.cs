@@ -70,8 +70,10 @@ internal sealed class ViewArguments
         UploadMegabytes = result.GetValue(_upload) ?? ViewOptions.DefaultUploadMegabytes,
     };
 
-    public void Reject(CommandResult result)
+    public void Reject(CommandResult result, Source source)
     {
+        if (source.File is not null && Verb.IsGiven(result, _recordFolder))
+            result.AddError("--record-folder needs a stream as the source: a file is shown, and nothing is recorded.");
         if (result.GetResult(_token)?.Tokens is [{ Value: var word }] && !IsToken(word))
             result.AddError($"--token: use letters, digits and -._~ only, at most {LongestToken}, because the word is a part of the link.");
         foreach (Token origin in result.GetResult(_allowOrigin)?.Tokens ?? [])

@@ -57,7 +57,8 @@ internal sealed class ViewVerb : Verb
 
     private void Reject(CommandResult result)
     {
-        _connection.RejectContradictions(result, _source.Find(result) ?? Source.Demo);
-        _view.Reject(result);
+        Source source = _source.Find(result) ?? Source.Demo;
+        _connection.RejectContradictions(result, source);
+        _view.Reject(result, source);
     }
 }

@@ -66,7 +66,7 @@ public sealed class RecordingControlTests : IDisposable
     {
         public string? Opened { get; private set; }
 
-        public Task<string> OpenAsync(string path, CancellationToken cancellationToken)
+        public Task<string> OpenAsync(string path, RotationOrder? order, CancellationToken cancellationToken)
         {
             cancellationToken.ThrowIfCancellationRequested();
             Opened = path;

@@ -127,7 +127,7 @@ internal sealed class RecordingControl : IViewPart
 
         try
         {
-            return await _library.OpenAsync(recorder.CurrentPath, CancellationToken.None);
+            return await _library.OpenAsync(recorder.CurrentPath, order: null, CancellationToken.None);
         }
         catch (ApiException exception)
         {

@@ -6,9 +6,12 @@ namespace NeuronMocap.Tool.View.Takes;
 internal interface ITakeLibrary : IViewPart
 {
     /// <summary>Opens a file of this computer: the SOURCE of the command line, or a finished recording.</summary>
+    /// <param name="path">The file.</param>
+    /// <param name="order">Rotation order of a stream in the file; null for the order that the file states, or YXZ.</param>
+    /// <param name="cancellationToken">Ends the wait.</param>
     /// <returns>The id of the take.</returns>
     /// <exception cref="ApiException">The file cannot be opened. The message is one sentence without its path.</exception>
-    Task<string> OpenAsync(string path, CancellationToken cancellationToken);
+    Task<string> OpenAsync(string path, RotationOrder? order, CancellationToken cancellationToken);
 
     /// <summary>Finds the performer with a key; null if no open take has it.</summary>
     TakePerformer? FindPerformer(string key);

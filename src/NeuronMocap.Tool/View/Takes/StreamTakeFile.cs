@@ -7,7 +7,10 @@ using NeuronMocap.Tool.Terminal;
 namespace NeuronMocap.Tool.View.Takes;
 
 /// <summary>Reads recordings and raw streams. Each avatar of each sender is a performer.</summary>
-internal sealed class StreamTakeFile(string path, TakeReading reading)
+/// <param name="path">The file.</param>
+/// <param name="order">Rotation order of the stream; null for the order that the file states, or YXZ.</param>
+/// <param name="reading">Takes the frames.</param>
+internal sealed class StreamTakeFile(string path, RotationOrder? order, TakeReading reading)
 {
     private const int MostPerformers = 64;
 
@@ -20,7 +23,7 @@ internal sealed class StreamTakeFile(string path, TakeReading reading)
     /// <param name="isRecording">Whether the file is a recording, which can be damaged.</param>
     public void Read(bool isRecording)
     {
-        using (RecordedFrameReader reader = RecordedFrameReader.Open(path))
+        using (RecordedFrameReader reader = Open())
         {
             while (reader.Read())
             {
@@ -38,6 +41,8 @@ internal sealed class StreamTakeFile(string path, TakeReading reading)
         if (_avatars.Values.Any(static avatar => avatar.Writer is null))
             ReadCalculation();
     }
+
+    private RecordedFrameReader Open() => RecordedFrameReader.Open(path, new PlaybackOptions { RotationOrder = order });
 
     private static double PartOf(RecordedFrameReader reader) => reader.Duration > TimeSpan.Zero ? reader.Time / reader.Duration : 0;
 
@@ -121,7 +126,7 @@ internal sealed class StreamTakeFile(string path, TakeReading reading)
         foreach (((_, int index), Avatar avatar) in _avatars.Where(static pair => pair.Value.Writer is null))
             Measure(avatar, index);
 
-        using RecordedFrameReader reader = RecordedFrameReader.Open(path);
+        using RecordedFrameReader reader = Open();
         while (reader.Read())
         {
             if (reader.Frame is CalculationFrame { BoneCount: > 0 } frame

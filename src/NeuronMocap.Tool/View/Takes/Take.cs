@@ -33,6 +33,9 @@ internal sealed class Take : IDisposable
     /// <summary>Whether the file is deleted with the take.</summary>
     public bool IsUpload { get; init; }
 
+    /// <summary>Rotation order of a stream in the file; null for the order that the file states, or YXZ.</summary>
+    public RotationOrder? RotationOrder { get; init; }
+
     /// <summary>Cancelled when the take is closed.</summary>
     public CancellationToken Closed => _stop.Token;
 

@@ -31,7 +31,7 @@ internal sealed class TakeDownload(ScratchFolder scratch) : IDisposable
         string name = Path.GetFileNameWithoutExtension(take.Name) + extension;
         if (isWhole && kind == take.Kind)
         {
-            await SendFileAsync(context, take.Path, name);
+            await SendOriginalAsync(context, take, name);
             return;
         }
 
@@ -40,6 +40,7 @@ internal sealed class TakeDownload(ScratchFolder scratch) : IDisposable
         var settings = new FileSettings(take.Path, Path.Combine(scratch.Path, ScratchFolder.NewName() + extension))
         {
             InputName = take.Name,
+            InputOrder = take.RotationOrder,
             Avatar = take.Kind is FileKind.Recording or FileKind.Raw && hasOneAvatar ? performer.AvatarIndex : null,
             From = SecondsOf(from),
             To = SecondsOf(to),
@@ -101,6 +102,20 @@ internal sealed class TakeDownload(ScratchFolder scratch) : IDisposable
         .Replace($"{ToolCommand.Name}: ", "", StringComparison.Ordinal)
         .Replace(settings.Input, take.Name, StringComparison.Ordinal)
         .Replace(settings.Output!, name, StringComparison.Ordinal);
+
+    // The user may have moved or deleted the file since the take was read.
+    private static async Task SendOriginalAsync(HttpContext context, Take take, string name)
+    {
+        try
+        {
+            await SendFileAsync(context, take.Path, name);
+        }
+        catch (Exception exception) when (exception is IOException or UnauthorizedAccessException && !context.Response.HasStarted)
+        {
+            context.Response.Clear();
+            throw ApiException.NotFound(FileFault.OfReading(exception, take.Name));
+        }
+    }
 
     private static Task SendFileAsync(HttpContext context, string path, string name)
     {

@@ -25,18 +25,19 @@ internal sealed class TakeLibrary(ScratchFolder scratch, string run) : IDisposab
     /// <param name="path">The file.</param>
     /// <param name="name">Its name for people.</param>
     /// <param name="isUpload">Whether the file is deleted with the take.</param>
+    /// <param name="order">Rotation order of a stream in the file; null for the order that the file states, or YXZ.</param>
     /// <returns>The take, whose first frames can be read soon.</returns>
     /// <exception cref="NeuronException">The file is not a take. The message is a sentence that says why.</exception>
     /// <exception cref="IOException">The file cannot be read. The message is a sentence.</exception>
-    public Take Open(string path, string name, bool isUpload = false)
+    public Take Open(string path, string name, bool isUpload = false, RotationOrder? order = null)
     {
-        FileKind kind = Recognize(path, name);
+        FileKind kind = Recognize(path, name, order);
         Take take;
         Take? oldest;
         lock (_lock)
         {
             ObjectDisposedException.ThrowIf(_isDisposed, this);
-            take = new Take(string.Create(CultureInfo.InvariantCulture, $"{run}{++_number}"), name, path, kind) { IsUpload = isUpload };
+            take = new Take(string.Create(CultureInfo.InvariantCulture, $"{run}{++_number}"), name, path, kind) { IsUpload = isUpload, RotationOrder = order };
             _takes.Add(take);
             oldest = _takes.Count > MostTakes ? _takes[0] : null;
             if (oldest is not null)
@@ -86,11 +87,11 @@ internal sealed class TakeLibrary(ScratchFolder scratch, string run) : IDisposab
         Array.ForEach(takes, Close);
     }
 
-    private static FileKind Recognize(string path, string name)
+    private static FileKind Recognize(string path, string name, RotationOrder? order)
     {
         try
         {
-            FileKind kind = FileKinds.Recognize(path);
+            FileKind kind = new FileSettings(path, Output: null) { InputOrder = order }.RecognizeInput();
             return kind == FileKind.Bvh && BvhTakeFile.FindFault(path) is { } fault ? throw new NeuronException(fault) : kind;
         }
         catch (Exception exception) when (exception is NeuronException or IOException or UnauthorizedAccessException)

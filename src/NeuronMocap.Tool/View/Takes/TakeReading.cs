@@ -79,7 +79,7 @@ internal sealed class TakeReading(Take take, string folder)
                 CalculationTakeFile.Read(take.Path, this);
                 break;
             default:
-                new StreamTakeFile(take.Path, this).Read(take.Kind == FileKind.Recording);
+                new StreamTakeFile(take.Path, take.RotationOrder, this).Read(take.Kind == FileKind.Recording);
                 break;
         }
     }

@@ -24,7 +24,8 @@ internal sealed class TakeService(ScratchFolder scratch, ControlHub hub, int upl
     private readonly TakeLibrary _library = new(scratch, run);
     private readonly TakeDownload _download = new(scratch);
 
-    public Task<string> OpenAsync(string path, CancellationToken cancellationToken) => Task.Run(() => Open(path, Path.GetFileName(path), isUpload: false).Id, cancellationToken);
+    public Task<string> OpenAsync(string path, RotationOrder? order, CancellationToken cancellationToken) =>
+        Task.Run(() => Open(path, Path.GetFileName(path), isUpload: false, order).Id, cancellationToken);
 
     public TakePerformer? FindPerformer(string key) => _library.FindPerformer(key);
 
@@ -54,7 +55,7 @@ internal sealed class TakeService(ScratchFolder scratch, ControlHub hub, int upl
         Take take;
         try
         {
-            take = await Task.Run(() => Open(path, TakeName.Clean(name), isUpload: true));
+            take = await Task.Run(() => Open(path, TakeName.Clean(name), isUpload: true, order: null));
         }
         catch
         {
@@ -66,11 +67,11 @@ internal sealed class TakeService(ScratchFolder scratch, ControlHub hub, int upl
         await ApiJson.WriteAsync(context, new { id = take.Id });
     }
 
-    private Take Open(string path, string name, bool isUpload)
+    private Take Open(string path, string name, bool isUpload, RotationOrder? order)
     {
         try
         {
-            return _library.Open(path, name, isUpload);
+            return _library.Open(path, name, isUpload, order);
         }
         catch (NeuronException exception)
         {

@@ -104,7 +104,7 @@ public sealed class CharacterTakeTests : IDisposable
     private async Task<(string Take, string Performer)> OpenAsync(CharacterServer server)
     {
         string path = _files.Record(Enumerable.Range(0, Frames).Select(static frame => (frame * 1000 / 60.0, 0, frame)));
-        string take = await server.Takes.OpenAsync(path, TestContext.Current.CancellationToken);
+        string take = await server.Takes.OpenAsync(path, order: null, TestContext.Current.CancellationToken);
         while (true)
         {
             (_, JsonElement info) = await server.SendAsync(HttpMethod.Get, $"api/takes/{take}");

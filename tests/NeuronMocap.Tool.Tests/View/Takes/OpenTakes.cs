@@ -24,9 +24,9 @@ internal sealed class OpenTakes : IDisposable
     public int ScratchFiles => Directory.GetFiles(_scratch.Path).Length;
 
     /// <summary>Opens a file and waits until it was read.</summary>
-    public async Task<Take> OpenAsync(string path)
+    public async Task<Take> OpenAsync(string path, RotationOrder? order = null)
     {
-        Take take = Library.Open(path, Path.GetFileName(path));
+        Take take = Library.Open(path, Path.GetFileName(path), order: order);
         await take.Completion;
         return take;
     }
@@ -34,13 +34,14 @@ internal sealed class OpenTakes : IDisposable
     /// <summary>Writes a recording of frames of the simulator's actor.</summary>
     /// <param name="frames">Times in milliseconds and numbers of frames, for each avatar.</param>
     /// <param name="metadata">The metadata.</param>
-    public string Record(IEnumerable<(double Milliseconds, int Avatar, int Frame)> frames, RecordingMetadata? metadata = null)
+    /// <param name="order">The rotation order of the stream.</param>
+    public string Record(IEnumerable<(double Milliseconds, int Avatar, int Frame)> frames, RecordingMetadata? metadata = null, RotationOrder order = RotationOrder.YXZ)
     {
         string path = _folder["take.nmrec"];
         using RecordingWriter writer = RecordingWriter.Create(path, metadata);
         writer.OpenConnection(TimeSpan.Zero, new RecordedConnection(0, TransportKind.Tcp, "127.0.0.1:50000", "127.0.0.1:7001"));
         foreach ((double milliseconds, int avatar, int frame) in frames)
-            writer.WriteBytes(TimeSpan.FromMilliseconds(milliseconds), 0, Packet(avatar, frame));
+            writer.WriteBytes(TimeSpan.FromMilliseconds(milliseconds), 0, Packet(avatar, frame, order));
 
         return path;
     }
@@ -53,11 +54,11 @@ internal sealed class OpenTakes : IDisposable
             bone = bone with { Position = bone.Position / (avatar + 1) };
     }
 
-    private static byte[] Packet(int avatar, int frame)
+    private static byte[] Packet(int avatar, int frame, RotationOrder order)
     {
         var layout = new ChannelLayout(hasDisplacement: true, hasReference: false);
         float[] values = new float[layout.ValueCount];
-        new Half(avatar).WriteValues(frame, layout, RotationOrder.YXZ, values);
+        new Half(avatar).WriteValues(frame, layout, order, values);
         var header = new MotionHeader { AvatarIndex = avatar, AvatarName = new AvatarName($"Actor {avatar}"), FrameIndex = (uint)frame, HasDisplacement = true, ValueCount = values.Length };
         byte[] packet = new byte[header.PacketSize];
         PacketEncoder.WriteMotion(packet, header, values);

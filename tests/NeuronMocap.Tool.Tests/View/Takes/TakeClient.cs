@@ -62,7 +62,7 @@ internal sealed class TakeClient : IAsyncDisposable
     public Task<HttpResponseMessage> GetFileAsync(string address) => _http.GetAsync(address);
 
     /// <summary>Opens a file of this computer.</summary>
-    public async Task<JsonElement> OpenAsync(string path) => await WaitAsync(await _takes.OpenAsync(path, CancellationToken.None));
+    public async Task<JsonElement> OpenAsync(string path) => await WaitAsync(await _takes.OpenAsync(path, order: null, CancellationToken.None));
 
     /// <summary>Gets poses, without their lengths.</summary>
     public async Task<List<byte[]>> GetPosesAsync(string id, string performer, long from, int count)

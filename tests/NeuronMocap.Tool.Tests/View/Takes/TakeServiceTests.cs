@@ -161,6 +161,19 @@ public sealed class TakeServiceTests
     }
 
     [Fact]
+    public async Task A_file_that_was_deleted_meanwhile_is_named()
+    {
+        await using TakeClient client = await TakeClient.StartAsync();
+        Files.Takes.Actor(10).Save(client.Folder["walk.bvh"]);
+        await client.OpenAsync(client.Folder["walk.bvh"]);
+        File.Delete(client.Folder["walk.bvh"]);
+
+        JsonElement answer = await client.GetAsync("takes/t1/download?format=bvh", HttpStatusCode.NotFound);
+
+        Assert.Equal("'walk.bvh' does not exist.", answer.GetProperty("error").GetString());
+    }
+
+    [Fact]
     public async Task Figures_and_tables_hold_all_performers_unless_one_is_chosen()
     {
         using var takes = new OpenTakes();

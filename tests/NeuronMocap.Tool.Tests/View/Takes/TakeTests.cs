@@ -37,6 +37,20 @@ public sealed class TakeTests
         }
     }
 
+    // A stream does not carry its rotation order.
+    [Fact]
+    public async Task A_stream_is_read_in_the_rotation_order_that_the_user_names()
+    {
+        using var takes = new OpenTakes();
+        string path = takes.Record(Enumerable.Range(0, 60).Select(static i => (i * 20.0, 0, i)), order: RotationOrder.XYZ);
+
+        Take take = await takes.OpenAsync(path, RotationOrder.XYZ);
+
+        var expected = new BoneTransform[BoneHierarchy.BoneCount];
+        OpenTakes.GetPose(0, 30, expected);
+        AssertSame(expected, Assert.Single(take.Performers), 30);
+    }
+
     [Fact]
     public async Task Performers_of_a_recording_have_their_own_bodies_and_times()
     {
