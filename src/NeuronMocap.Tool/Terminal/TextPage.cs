@@ -43,6 +43,9 @@ internal sealed class TextPage
         Console.WriteLine();
     }
 
+    /// <summary>Writes a line that the terminal wraps itself. A link in it can be clicked and copied.</summary>
+    public void WriteUnbroken(string text) => Console.Profile.Out.Writer.WriteLine(TerminalText.Clean(text));
+
     /// <summary>Writes a label, and beside it a text of one or more lines. Without a label, the text is indented.</summary>
     /// <param name="label">The label.</param>
     /// <param name="width">Width of the label's column; 0 for none.</param>

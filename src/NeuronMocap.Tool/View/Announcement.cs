@@ -21,7 +21,7 @@ internal sealed class Announcement(ViewOptions options, StandardStreams streams)
 
         // Scripts wait for this line.
         string own = PageLinks.OfThisComputer(server.LocalEndPoint, server.Token);
-        _page.WriteLine($"Viewing {options.Source} on {own}");
+        _page.WriteUnbroken($"Viewing {options.Source} on {own}");
         WriteOthers(
         [
             .. options.AllowedOrigins.Select(origin => PageLinks.OfProxy(origin, server.Token)),
@@ -38,7 +38,7 @@ internal sealed class Announcement(ViewOptions options, StandardStreams streams)
     private void WriteOthers(IReadOnlyList<string> links)
     {
         foreach (string link in links)
-            _page.WriteLine($"From other computers and phones: {link}");
+            _page.WriteUnbroken($"From other computers and phones: {link}");
 
         if (links.Count == 0 || !streams.IsTerminal || QrPicture.Create(links[0], _page.Width) is not { } picture)
             return;

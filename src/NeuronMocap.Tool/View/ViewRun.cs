@@ -2,6 +2,7 @@ using System.Net;
 using System.Reflection;
 using NeuronMocap.Server;
 using NeuronMocap.Tool.Arguments;
+using NeuronMocap.Tool.Files;
 using NeuronMocap.Tool.Simulate;
 using NeuronMocap.Tool.Terminal;
 using NeuronMocap.Tool.View.Actions;
@@ -49,7 +50,7 @@ internal sealed class ViewRun(ViewOptions options, StandardStreams streams)
         await using var hub = new ControlHub(() => [Hello("take", take, canCommand: false, performers: [])]);
         await using TakeService takes = CreateTakes(scratch, hub);
         await using var characters = new CharacterLibrary(live: null, takes);
-        take = await takes.OpenAsync(file, cancellationToken);
+        take = await takes.OpenAsync(file, options.Connection.RotationOrder, cancellationToken);
         await ServeAsync([hub, takes, characters], cancellationToken);
         return ToolCommand.Done;
     }
@@ -92,7 +93,19 @@ internal sealed class ViewRun(ViewOptions options, StandardStreams streams)
     private HelloJson Hello(string mode, string? take, bool canCommand, IReadOnlyList<PerformerJson> performers) =>
         new(ToolCommand.Name, Version, mode, options.Source.ToString(), take, canCommand, options.UploadMegabytes * BodyLimit.Megabyte, performers);
 
-    private ScratchFolder CreateScratch() => new(UploadsThatFit * options.UploadMegabytes * BodyLimit.Megabyte);
+    private ScratchFolder CreateScratch()
+    {
+        try
+        {
+            return new ScratchFolder(UploadsThatFit * options.UploadMegabytes * BodyLimit.Megabyte);
+        }
+        catch (Exception exception) when (exception is IOException or UnauthorizedAccessException)
+        {
+            string variable = OperatingSystem.IsWindows() ? "TMP" : "TMPDIR";
+            string reason = FileFault.IsDiskFull(exception) ? "its disk is full" : "it does not exist, or this user may not write there";
+            throw ApiException.Conflict($"the folder for temporary files, '{Path.GetTempPath()}', cannot be used: {reason}. Set {variable} to another folder.");
+        }
+    }
 
     private TakeService CreateTakes(ScratchFolder scratch, ControlHub hub) => new TakeService(scratch, hub, options.UploadMegabytes, TakeLibrary.NewRun());
 

@@ -104,6 +104,50 @@ public sealed class ViewProcessTests : IDisposable
         Assert.Contains(expected, Assert.Single(result.Error), StringComparison.Ordinal);
     }
 
+    [Theory]
+    [InlineData(2, "--record-folder needs a stream", "--record-folder", ".")]
+    [InlineData(1, "--order: walk.bvh does not need it", "--order", "XYZ")]
+    public async Task A_file_refuses_the_options_of_streams(int code, string expected, params string[] options)
+    {
+        ToolResult result = await ToolRunner.RunAsync(["view", Repository.PathOf("samples", "takes", "walk.bvh"), "--port", "0", .. options]);
+        Assert.Equal(code, result.ExitCode);
+        Assert.Contains(expected, Assert.Single(result.Error), StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public async Task A_temporary_folder_that_does_not_exist_is_one_line()
+    {
+        Assert.SkipWhen(OperatingSystem.IsWindows(), "Windows finds another folder.");
+        using var view = new ToolProcess(("TMPDIR", _folder["missing"]), "neuron-mocap", ["view", "demo", "--port", "0"]);
+        Assert.Equal(1, await view.WaitForExitAsync());
+        string line = Assert.Single((await view.ReadErrorAsync()).Split('\n', StringSplitOptions.RemoveEmptyEntries));
+        Assert.StartsWith($"neuron-mocap: the folder for temporary files, '{_folder["missing"]}", line, StringComparison.Ordinal);
+        Assert.Contains("TMPDIR", line, StringComparison.Ordinal);
+    }
+
+    // A terminal wraps a long line itself. A line break in a link would cut what people click and copy.
+    [Fact]
+    public async Task A_link_is_one_line_on_a_small_terminal()
+    {
+        string token = new('t', 60);
+        ToolResult result = await ToolRunner.RunOnTerminalAsync(50, "view", "demo", "--port", "0", "--duration", "0.1", "--token", token);
+        Assert.Contains(result.Output, line => line.Contains($"?token={token}", StringComparison.Ordinal));
+    }
+
+    [Fact]
+    public async Task The_browser_survives_the_end_of_the_program()
+    {
+        Assert.SkipUnless(OperatingSystem.IsLinux() && InstalledPrograms.PathOf("setsid") is not null, "There is no setsid on the PATH.");
+        string browser = _folder.Write("xdg-open", $"#!/bin/sh\nread -r line < /proc/$$/stat\necho \"$line\" > '{_folder["opened"]}.new' && /bin/mv '{_folder["opened"]}.new' '{_folder["opened"]}'\n");
+        if (OperatingSystem.IsLinux())
+            File.SetUnixFileMode(browser, UnixFileMode.UserRead | UnixFileMode.UserExecute);
+        using var view = new ToolProcess(("PATH", $"{_folder[string.Empty]}:{Environment.GetEnvironmentVariable("PATH")}"), "neuron-mocap", ["view", "demo", "--port", "0", "--open", "--duration", "60"]);
+        await ReadLinkAsync(view);
+        await Limits.UntilAsync(() => File.Exists(_folder["opened"]));
+        Assert.NotEqual(SessionOf(await File.ReadAllTextAsync($"/proc/{view.Id}/stat", TestContext.Current.CancellationToken)), SessionOf(await File.ReadAllTextAsync(_folder["opened"], TestContext.Current.CancellationToken)));
+        view.Kill();
+    }
+
     [Fact]
     public async Task An_address_of_another_computer_is_one_line()
     {
@@ -121,6 +165,9 @@ public sealed class ViewProcessTests : IDisposable
         result = await ToolRunner.RunOnTerminalAsync(100, "view", "demo", "--port", "0", "--duration", "0.1");
         Assert.DoesNotContain(result.Output, static line => line.Contains('▀', StringComparison.Ordinal) || line.Contains("token", StringComparison.Ordinal));
     }
+
+    // The fourth word after the name, which stands in brackets.
+    private static string SessionOf(string stat) => stat[(stat.LastIndexOf(')') + 2)..].Split(' ')[3];
 
     private static int PortOf(ToolResult result) => new Uri(result.Output[0][Start.Length..]).Port;
 

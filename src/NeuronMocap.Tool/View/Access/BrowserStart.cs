@@ -12,8 +12,7 @@ internal static class BrowserStart
     {
         try
         {
-            Process browser = Process.Start(CommandFor(link)) ?? throw new Win32Exception();
-            _ = WatchAsync(browser, link, streams);
+            _ = WatchAsync(Start(link), link, streams);
         }
         catch (Exception exception) when (exception is Win32Exception or InvalidOperationException or PlatformNotSupportedException)
         {
@@ -21,19 +20,27 @@ internal static class BrowserStart
         }
     }
 
-    private static ProcessStartInfo CommandFor(string link)
+    private static Process Start(string link)
     {
         if (OperatingSystem.IsWindows())
-            return new ProcessStartInfo(link) { UseShellExecute = true };
+            return Process.Start(new ProcessStartInfo(link) { UseShellExecute = true }) ?? throw new Win32Exception();
+        if (OperatingSystem.IsMacOS())
+            return Start("open", link);
 
-        // The words of the browser would mix with those of this program.
-        return new ProcessStartInfo(OperatingSystem.IsMacOS() ? "open" : "xdg-open", [link])
+        // Ctrl+C in the terminal reaches all programs of the session, and must not end a browser that xdg-open starts.
+        try
         {
-            UseShellExecute = false,
-            RedirectStandardOutput = true,
-            RedirectStandardError = true,
-        };
+            return Start("setsid", "xdg-open", link);
+        }
+        catch (Win32Exception)
+        {
+            return Start("xdg-open", link);
+        }
     }
+
+    // The words of the browser would mix with those of this program.
+    private static Process Start(string program, params string[] arguments) =>
+        Process.Start(new ProcessStartInfo(program, arguments) { UseShellExecute = false, RedirectStandardOutput = true, RedirectStandardError = true }) ?? throw new Win32Exception();
 
     // xdg-open starts and then finds no browser.
     private static async Task WatchAsync(Process browser, string link, StandardStreams streams)
