@@ -65,6 +65,8 @@ loop.add("camera", (_, step) => {
   }
 });
 
+performers.onChange(() => loop.invalidate());
+
 const takes = createTakes(page);
 const characters = createCharacters(page, takes);
 const panel = new Panel(page, connection, takes, settings, views);

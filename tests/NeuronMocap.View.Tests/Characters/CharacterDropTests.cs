@@ -2,6 +2,7 @@ using System.Globalization;
 using System.Net;
 using NeuronMocap.Server;
 using NeuronMocap.Tests.Network;
+using NeuronMocap.Tool.Tests.Files;
 using NeuronMocap.Tool.Tests.View;
 using NeuronMocap.View.Tests.Infrastructure;
 
@@ -49,6 +50,28 @@ public sealed class CharacterDropTests(SharedBrowser browser, CharacterSamples s
         page.AssertClean();
     }
 
+    // A take brings its performers one at a time.
+    [Theory]
+    [InlineData(2)]
+    [InlineData(1)]
+    public async Task Two_characters_find_the_performers_of_a_take(int performers)
+    {
+        await using Broadcaster broadcaster = Broadcaster.StartDemo(2);
+        await using RunningView view = await RunningView.StartAsync(broadcaster.LocalEndPoint!.ToString());
+        await using TestPage page = await TestPage.OpenAsync(browser, view.Link);
+        await page.UntilMovingAsync(2);
+        await page.DropAsync(("boxes-1.vrm", await samples.ReadAsync("boxes-1.vrm")), ("boxes-mixamo.glb", await samples.ReadAsync("boxes-mixamo.glb")));
+        await page.UntilAsync(AreApart, 2);
+
+        using var folder = new TemporaryFolder();
+        await RecordAsync(performers, folder["take.nmrec"]);
+        await page.ChooseAsync(() => page.Page.Keyboard.PressAsync("o"), folder["take.nmrec"]);
+        await page.UntilAsync("() => window.neuronMocap.state().mode === 'take'");
+        await page.UntilMovingAsync(performers);
+        await page.UntilAsync(AreApart, performers);
+        page.AssertClean();
+    }
+
     [Fact]
     public async Task A_page_that_lacks_a_script_because_the_program_is_newer_says_so()
     {
@@ -81,6 +104,24 @@ public sealed class CharacterDropTests(SharedBrowser browser, CharacterSamples s
         }
 
         page.AssertClean(static fault => fault.Contains(" 400 ", StringComparison.Ordinal));
+    }
+
+    private const string AreApart = """
+        performers => {
+          const { characters } = window.neuronMocap.state();
+          return characters.length === 2 && characters.every(each => each.isShown)
+            && new Set(characters.map(each => each.performer)).size === performers
+            && new Set(characters.map(each => `${each.performer} ${each.place}`)).size === 2;
+        }
+        """;
+
+    private static async Task RecordAsync(int performers, string path)
+    {
+        await using Broadcaster broadcaster = Broadcaster.StartDemo(performers);
+        await using var reader = new NeuronReader(broadcaster.LocalEndPoint!.Address.ToString(), broadcaster.LocalEndPoint.Port);
+        reader.StartRecording(path);
+        reader.Start();
+        await Limits.UntilAsync(() => reader.GetStatistics().MotionFrames >= 60);
     }
 
     private static async Task DropAndRemoveAsync(TestPage page, string file, byte[] contents)

@@ -58,6 +58,23 @@ public sealed class CharacterPageTests(SharedBrowser browser, CharacterSamples s
     }
 
     [Fact]
+    public async Task A_character_is_hidden_with_its_performer()
+    {
+        await using RunningView view = await RunningView.StartAsync("demo");
+        await using TestPage page = await TestPage.OpenAsync(browser, view.Link);
+        await page.UntilMovingAsync();
+        await page.DropAsync("boxes-1.vrm", await samples.ReadAsync("boxes-1.vrm"));
+        await UntilShownAsync(page);
+        foreach (bool isShown in (bool[])[false, true])
+        {
+            await page.Page.Locator("[data-id^='hide ']").EvaluateAsync("button => button.click()");
+            await page.UntilAsync("isShown => window.neuronMocap.state().characters[0].isShown === isShown", isShown);
+        }
+
+        page.AssertClean();
+    }
+
+    [Fact]
     public async Task The_scripts_for_characters_come_with_the_first_character()
     {
         await using RunningView view = await RunningView.StartAsync("demo");

@@ -12,6 +12,39 @@ public sealed class PanelTests(SharedBrowser browser) : IDisposable
     public void Dispose() => _folder.Dispose();
 
     [Fact]
+    public async Task A_second_click_on_follow_shows_all_again()
+    {
+        await using RunningView view = await RunningView.StartAsync("demo");
+        await using TestPage page = await TestPage.OpenAsync(browser, view.Link);
+        await page.UntilMovingAsync();
+        const string Pressed = "pressed => document.querySelector(\"[data-id^='follow ']\").getAttribute('aria-pressed') === pressed";
+        foreach (string pressed in (string[])["true", "false"])
+        {
+            await page.Page.Locator("[data-id^='follow ']").EvaluateAsync("button => button.click()");
+            await page.UntilAsync(Pressed, pressed);
+        }
+
+        page.AssertClean();
+    }
+
+    [Fact]
+    public async Task Keys_of_the_stream_do_nothing_while_a_file_is_shown()
+    {
+        await using RunningView view = await RunningView.StartAsync(Repository.PathOf("samples", "takes", "walk.bvh"));
+        await using TestPage page = await TestPage.OpenAsync(browser, view.Link);
+        await page.UntilMovingAsync();
+        await page.Page.Keyboard.PressAsync("r");
+        await page.Page.Keyboard.PressAsync("g");
+
+        // The keys before it were handled.
+        await page.Page.Keyboard.PressAsync("?");
+        await page.Page.Locator("dialog[open] .keys").WaitForAsync();
+        Assert.DoesNotContain("Diagnose the stream", await page.Page.Locator("dialog[open]").InnerTextAsync(), StringComparison.Ordinal);
+        Assert.Equal(0, await page.Page.Locator(".notice.problem").CountAsync());
+        page.AssertClean();
+    }
+
+    [Fact]
     public async Task A_click_diagnoses_records_and_shows_the_recording()
     {
         await using RunningView view = await RunningView.StartAsync("demo", "--record-folder", _folder[string.Empty]);

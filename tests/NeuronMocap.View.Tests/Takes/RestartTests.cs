@@ -53,6 +53,29 @@ public sealed class RestartTests(SharedBrowser browser) : IDisposable
     }
 
     [Fact]
+    public async Task Performers_that_the_new_program_does_not_have_leave_the_picture()
+    {
+        string port = FreePort.Next().ToString(CultureInfo.InvariantCulture);
+        RunningView view = await RunningView.StartAsync("demo", "--port", port);
+        await using TestPage page = await TestPage.OpenAsync(browser, view.Link);
+        await page.UntilMovingAsync();
+        await view.DisposeAsync();
+        await page.UntilAsync("() => window.neuronMocap.state().connection === 'gone'");
+        const string StandsStill = """
+            () => new Promise(resolve => {
+              const { pictures } = window.neuronMocap.stats();
+              setTimeout(() => resolve(window.neuronMocap.stats().pictures === pictures), 500);
+            })
+            """;
+        await page.UntilAsync(StandsStill);
+        int before = (await page.EvaluateAsync("() => window.neuronMocap.stats().pictures")).GetInt32();
+
+        await using RunningView again = await RunningView.StartAsync($"127.0.0.1:{FreePort.Next()}", "--port", port);
+        await page.UntilAsync("pictures => window.neuronMocap.state().performers.length === 0 && window.neuronMocap.stats().pictures > pictures", before);
+        page.AssertClean(IsOfRestart);
+    }
+
+    [Fact]
     public async Task A_page_of_the_stream_shows_the_file_that_the_new_program_shows()
     {
         string port = FreePort.Next().ToString(CultureInfo.InvariantCulture);

@@ -42,13 +42,15 @@ export class Cast {
 
   follow(character: Character, performer: string): void {
     character.performer = performer;
+    character.chosen = performer;
     character.place = this._freePlace(character);
     this._assign();
   }
 
   /** Shows a character next to the figure of its performer, or in its place. */
   setBeside(character: Character, beside: boolean): void {
-    character.place = beside ? Math.max(1, this._freePlace(character)) : 0;
+    character.isBeside = beside;
+    character.place = beside ? this._freePlace(character) : 0;
     this._assign();
   }
 
@@ -87,14 +89,18 @@ export class Cast {
     this._page.stage.scene.add(character.group);
   }
 
-  // Whoever follows somebody that has left follows somebody else.
   private _assign(): void {
+    const { performers } = this._page;
     for (const character of this._motions.keys()) {
-      if (this._page.performers.get(character.performer))
-        continue;
+      const performer = this._performerFor(character);
+      if (performer !== character.performer || !performers.get(performer))
+        character.hide();
+      if (performer !== character.performer) {
+        character.performer = performer;
+        character.place = this._freePlace(character);
+      }
 
-      character.hide();
-      character.performer = this._leastFollowed() || character.performer;
+      character.isHidden = performers.get(performer)?.hidden ?? false;
     }
 
     for (const performer of this._page.performers.all) {
@@ -123,6 +129,22 @@ export class Cast {
     }
   }
 
+  // Whoever follows somebody that has left follows somebody else. Performers come one at a time, so a character that shares one goes to the next that comes.
+  private _performerFor(character: Character): string {
+    const { performers } = this._page;
+    const { performer, chosen } = character;
+    if (performers.get(chosen))
+      return chosen;
+
+    const followers = this.all.filter(each => each.performer === performer);
+    if (performers.get(performer) && followers[0] === character)
+      return performer;
+
+    const best = this._leastFollowed();
+    const isFree = !this.all.some(each => each.performer === best);
+    return performers.get(performer) && !isFree ? performer : best || performer;
+  }
+
   private _leastFollowed(): string {
     let best = "";
     let fewest = Infinity;
@@ -135,10 +157,10 @@ export class Cast {
     return best;
   }
 
-  // The first place that no other character of the performer has.
+  // The first place that no other character of the performer has. Place 0 is the performer's own.
   private _freePlace(character: Character): number {
     const taken = new Set(this.all.filter(each => each !== character && each.performer === character.performer).map(each => each.place));
-    let place = 0;
+    let place = character.isBeside ? 1 : 0;
     while (taken.has(place))
       place++;
     return place;

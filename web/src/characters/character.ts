@@ -31,6 +31,10 @@ export class Character {
   readonly group = new Group();
   /** Key of the performer that it follows. */
   performer = "";
+  /** Key of the performer that was chosen for it. It follows this one whenever it is there. */
+  chosen = "";
+  /** Whether it stands beside its performer, and does not replace the figure. */
+  isBeside = false;
   /** Whether feet that touch the ground stay in their place. */
   plantsFeet = true;
   private readonly _loaded: LoadedCharacter;
@@ -42,6 +46,8 @@ export class Character {
   private _next = new CharacterPose(0);
   private _since = Infinity;
   private _hasPose = false;
+  private _hasSwung = false;
+  private _isHidden = false;
 
   constructor(loaded: LoadedCharacter, skeleton: Skeleton) {
     this.name = loaded.name;
@@ -55,9 +61,16 @@ export class Character {
     return this._bones;
   }
 
-  /** Whether a pose has arrived. */
+  /** Whether a pose has arrived, and the performer is not hidden. */
   get isShown(): boolean {
     return this.group.visible;
+  }
+
+  /** Hides the character together with its performer. */
+  set isHidden(value: boolean) {
+    this._isHidden = value;
+    this._hasSwung &&= !value;
+    this.group.visible = this._hasPose && !value;
   }
 
   /** Number of places beside the performer, 0 for the performer's own place. */
@@ -89,7 +102,8 @@ export class Character {
     for (let i = 0; i < this._objects.length; i++)
       this._objects[i].quaternion.set(rotations[i * 4], rotations[i * 4 + 1], rotations[i * 4 + 2], rotations[i * 4 + 3]);
     this._hips.position.set(hips[0], hips[1], hips[2]);
-    this.group.visible = true;
+    this._hasPose = true;
+    this.group.visible = !this._isHidden;
     this._since = 0;
     return true;
   }
@@ -106,12 +120,12 @@ export class Character {
       return isNew;
 
     // Without this, hair and clothes fly from the rest pose to the first pose.
-    if (!this._hasPose) {
+    if (!this._hasSwung) {
       vrm.update(0);
       vrm.springBoneManager?.reset();
     }
 
-    this._hasPose = true;
+    this._hasSwung = true;
     vrm.update(Math.min(step, LongestStep) / 1000);
     return true;
   }
@@ -119,6 +133,7 @@ export class Character {
   hide(): void {
     this.group.visible = false;
     this._hasPose = false;
+    this._hasSwung = false;
   }
 
   /** Positions of the bones in the world, by the names of the stream's bones. */

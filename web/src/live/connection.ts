@@ -8,6 +8,8 @@ export type ConnectionState = "connecting" | "open" | "gone" | "denied" | "hidde
 const FirstWait = 250;
 const LongestWait = 3000;
 const PingEvery = 2000;
+// About 15 s. The program tells its state every second, but a busy computer may need a while.
+const MostUnanswered = 7;
 
 /** The socket /control. Connects again by itself, and rests while the tab is hidden. It is open once the program has introduced itself. */
 export class Connection {
@@ -23,6 +25,7 @@ export class Connection {
   private _socket: WebSocket | null = null;
   private _wait = FirstWait;
   private _attempt = 0;
+  private _unanswered = 0;
   private _asksFirst = false;
   private _waiting: ServerMessage[] | null = [];
 
@@ -35,6 +38,11 @@ export class Connection {
 
   get state(): ConnectionState {
     return this._state;
+  }
+
+  /** Whether the program receives a stream. Otherwise it shows a file. */
+  get hasStream(): boolean {
+    return this.hello?.mode !== "take";
   }
 
   onMessage(listener: (message: ServerMessage) => void): void {
@@ -88,26 +96,30 @@ export class Connection {
   private _open(): void {
     const socket = this._api.socket("control");
     this._socket = socket;
+    this._unanswered = 0;
     socket.addEventListener("message", event => this._receive(event.data as string));
-    socket.addEventListener("close", () => {
-      if (this._socket !== socket)
-        return;
+    socket.addEventListener("close", () => this._end(socket));
+  }
 
-      this._socket = null;
-      const needsReason = !this._asksFirst && this._state === "connecting";
-      this._asksFirst = true;
-      if (needsReason) {
-        this.connect();
-        return;
-      }
+  private _end(socket: WebSocket): void {
+    if (this._socket !== socket)
+      return;
 
-      this._setState("gone");
-      this._retry();
-    });
+    this._socket = null;
+    const needsReason = !this._asksFirst && this._state === "connecting";
+    this._asksFirst = true;
+    if (needsReason) {
+      this.connect();
+      return;
+    }
+
+    this._setState("gone");
+    this._retry();
   }
 
   private _receive(text: string): void {
     const received = unixNow();
+    this._unanswered = 0;
     const message = JSON.parse(text) as ServerMessage;
     if (message.type === "pong") {
       this.clock.add(message.t, message.time ?? message.t, received);
@@ -138,9 +150,19 @@ export class Connection {
       listener(message);
   }
 
+  // A network that vanishes closes no socket for many minutes.
   private _ping(): void {
-    if (this._socket?.readyState === WebSocket.OPEN)
-      this._socket.send(JSON.stringify({ type: "ping", t: unixNow() }));
+    const socket = this._socket;
+    if (socket?.readyState !== WebSocket.OPEN)
+      return;
+
+    if (this._unanswered++ < MostUnanswered) {
+      socket.send(JSON.stringify({ type: "ping", t: unixNow() }));
+      return;
+    }
+
+    socket.close();
+    this._end(socket);
   }
 
   private _retry(): void {

@@ -97,7 +97,7 @@ export class LiveFeed {
 
   // Open only while somebody looks at live motion.
   private _adjust(): void {
-    const isWanted = this._connection.state === "open" && !this._paused && this._connection.hello?.mode !== "take";
+    const isWanted = this._connection.state === "open" && !this._paused && this._connection.hasStream;
     if (isWanted && !this._socket) {
       this._open();
     } else if (!isWanted && this._socket) {

@@ -6,6 +6,10 @@ export interface Shortcut {
   /** How the list of keys shows the key, if its name differs. */
   readonly label?: string;
   readonly group: string;
+  /** Whether a key that is held runs again and again, as steps do. */
+  readonly repeats?: boolean;
+  /** Whether the key does something now. Without it, always. */
+  isUseful?(): boolean;
   run(): void;
 }
 
@@ -19,17 +23,19 @@ export class Keys {
         return;
 
       const key = event.key.length === 1 ? event.key.toLowerCase() : event.key;
-      const shortcut = this._shortcuts.find(each => each.key === key);
+      const shortcut = this.all.find(each => each.key === key);
       if (!shortcut)
         return;
 
       event.preventDefault();
-      shortcut.run();
+      if (!event.repeat || shortcut.repeats)
+        shortcut.run();
     });
   }
 
+  /** The shortcuts that do something now. */
   get all(): readonly Shortcut[] {
-    return this._shortcuts;
+    return this._shortcuts.filter(each => each.isUseful?.() ?? true);
   }
 
   /** Adds shortcuts. Returns a function that removes them. */

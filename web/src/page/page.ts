@@ -52,7 +52,7 @@ export interface CharacterInfo {
   readonly id: string;
   readonly name: string;
   readonly performer: string;
-  /** False before the first pose. */
+  /** False before the first pose, and while the performer is hidden. */
   readonly isShown: boolean;
   /** 0 in the place of the performer, otherwise beside it. */
   readonly place: number;

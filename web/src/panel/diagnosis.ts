@@ -13,7 +13,7 @@ interface Diagnosis {
 export function createDiagnosisButton(page: Page): HTMLButtonElement {
   const button = wordButton("diagnose", "Diagnose", () => void diagnose());
   button.title = "Find out what is wrong with the stream (g)";
-  page.keys.add({ key: "g", does: "Diagnose the stream", group: "Stream", run: () => button.click() });
+  page.keys.add({ key: "g", does: "Diagnose the stream", group: "Stream", isUseful: () => page.connection.hasStream, run: () => button.click() });
   return button;
 
   async function diagnose(): Promise<void> {

@@ -67,7 +67,7 @@ export class Panel {
 
   update(): void {
     const { _page: page, _connection: connection } = this;
-    const isFile = connection.hello?.mode === "take";
+    const isFile = !connection.hasStream;
     this.situation = isFile && connection.state === "open" ? OfFile : describe(connection.state, connection.refusal, this.status, page.performers.count);
     page.slots.stream.hidden = isFile;
     document.body.classList.toggle("without-stream", isFile);

@@ -31,7 +31,7 @@ export class Views {
   private _spread = 0;
   private _framed = 0;
   private _following = false;
-  private _listener: () => void = () => {};
+  private readonly _listeners: (() => void)[] = [];
   /** The performer that the camera follows, or null for all. */
   followed: string | null = null;
   view: View = "orbit";
@@ -42,8 +42,9 @@ export class Views {
     this._stage = stage;
   }
 
+  /** Calls a function when the view or the followed performer changes. */
   onChange(listener: () => void): void {
-    this._listener = listener;
+    this._listeners.push(listener);
   }
 
   show(view: View): void {
@@ -52,7 +53,7 @@ export class Views {
       this._rig.lookFrom(0.45, 0.16, false);
     else
       this._rig.lookFrom(...Directions[view], true);
-    this._listener();
+    this._tell();
   }
 
   /** A hand has turned the camera: it is no longer exactly in front, beside or above. */
@@ -62,14 +63,14 @@ export class Views {
 
     this.view = "orbit";
     this._rig.flat = false;
-    this._listener();
+    this._tell();
   }
 
   /** Looks at a performer from now on, or at all. */
   follow(key: string | null): void {
     this.followed = key;
     this.frame();
-    this._listener();
+    this._tell();
   }
 
   /** Brings the followed performers into the picture. */
@@ -105,6 +106,11 @@ export class Views {
     this._before.copy(this._centre);
     this._stage.floor.moveTo(this._centre.x, this._centre.z);
     this._stage.lights.cover(this._centre.x, this._centre.z, this._spread + 2);
+  }
+
+  private _tell(): void {
+    for (const listener of this._listeners)
+      listener();
   }
 
   private _count(): number {
@@ -162,7 +168,7 @@ export function addCameraKeys(keys: Keys, rig: CameraRig, views: Views, settings
     views.turned();
   };
   const camera = (key: string, label: string, does: string, run: () => void): void => {
-    keys.add({ key, label, does, group: "Camera", run });
+    keys.add({ key, label, does, group: "Camera", repeats: true, run });
   };
   camera("ArrowLeft", "←", "Turn left", turn(-1, 0));
   camera("ArrowRight", "→", "Turn right", turn(1, 0));

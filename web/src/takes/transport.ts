@@ -62,12 +62,13 @@ export class Transport {
   addKeys(keys: Keys): () => void {
     const { _playback: playback, _actions: actions } = this;
     const key = (name: string, does: string, run: () => void, label?: string): Shortcut => ({ key: name, does, run, label, group: "Take" });
+    const step = (name: string, does: string, run: () => void): Shortcut => ({ ...key(name, does, run), repeats: true });
     return keys.add(
       key(" ", "Play, and stop", () => playback.toggle(), "Space"),
-      key(",", "Frame back", () => actions.step(-1)),
-      key(".", "Frame forward", () => actions.step(1)),
-      key("PageUp", "A second back", () => actions.seek(playback.time - Second)),
-      key("PageDown", "A second forward", () => actions.seek(playback.time + Second)),
+      step(",", "Frame back", () => actions.step(-1)),
+      step(".", "Frame forward", () => actions.step(1)),
+      step("PageUp", "A second back", () => actions.seek(playback.time - Second)),
+      step("PageDown", "A second forward", () => actions.seek(playback.time + Second)),
       key("Home", "To the start", () => actions.seek(playback.start)),
       key("End", "To the end", () => actions.seek(playback.end)),
       key("<", "Slower", () => playback.changeSpeed(-1)),

@@ -5,7 +5,8 @@ import type { ServerMessage } from "../../src/live/messages";
 import { type Api, ApiError } from "../../src/page/api";
 
 class FakeSocket extends EventTarget {
-  readonly readyState = 1;
+  static readonly OPEN = 1;
+  readonly readyState = FakeSocket.OPEN;
 
   send(): void {}
 
@@ -25,7 +26,11 @@ function createConnection(reason: () => Promise<unknown>) {
   const page = globalThis as Record<string, unknown>;
   page.document = { hidden: false, addEventListener: () => {} };
   page.addEventListener = () => {};
-  page.setInterval = () => 0;
+  let ping = (): void => {};
+  page.setInterval = (run: () => void) => {
+    ping = run;
+    return 0;
+  };
   page.setTimeout = () => 0;
   page.WebSocket = FakeSocket;
   const api = {
@@ -35,7 +40,7 @@ function createConnection(reason: () => Promise<unknown>) {
       return reason();
     },
   };
-  return { connection: new Connection(api as unknown as Api), sockets, asked };
+  return { connection: new Connection(api as unknown as Api), sockets, asked, ping: () => ping() };
 }
 
 const settle = () => new Promise(resolve => setImmediate(resolve));
@@ -72,6 +77,30 @@ test("a refused connection asks for the reason at once", async () => {
   assert.equal(connection.state, "denied");
   assert.equal(connection.refusal, "Open the link.");
   assert.equal(sockets.length, 1);
+});
+
+test("a network that vanishes ends the connection, and the page connects again", async () => {
+  const { connection, sockets, ping } = createConnection(() => Promise.resolve());
+  connection.connect();
+  sockets[0].say(hello);
+  for (let i = 0; i < 20; i++) {
+    ping();
+    sockets[0].say({ type: "pong", t: 0, time: 0 });
+  }
+
+  assert.equal(connection.state, "open");
+  for (let i = 0; i < 20 && connection.state === "open"; i++)
+    ping();
+
+  assert.equal(connection.state, "gone");
+  connection.connect();
+  await settle();
+  assert.equal(sockets.length, 2);
+
+  // The old socket ends at last.
+  sockets[1].say(hello);
+  sockets[0].dispatchEvent(new Event("close"));
+  assert.equal(connection.state, "open");
 });
 
 test("after a failure, a request goes before each socket", async () => {

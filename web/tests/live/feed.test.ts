@@ -26,6 +26,7 @@ function createFeed() {
   const connection = {
     state: "connecting" as ConnectionState,
     clock: { offset: 0 },
+    hasStream: true,
     onState: (listener: typeof tellState) => { tellState = listener; },
     onMessage: (listener: typeof tell) => { tell = listener; },
   };

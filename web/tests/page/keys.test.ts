@@ -1,0 +1,40 @@
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import { Keys } from "../../src/page/keys";
+
+// Keys of a document that the test presses.
+function createKeys() {
+  let listener = (_: KeyboardEvent): void => {};
+  (globalThis as Record<string, unknown>).document = {
+    addEventListener: (_: string, added: typeof listener) => { listener = added; },
+    querySelector: () => null,
+  };
+  const target = { matches: () => false };
+  const keys = new Keys();
+  return { keys, press: (key: string, repeat = false) => listener({ key, repeat, target, preventDefault: () => {} } as unknown as KeyboardEvent) };
+}
+
+test("a key that is held runs once, unless it steps", () => {
+  const { keys, press } = createKeys();
+  const runs: string[] = [];
+  keys.add({ key: "r", does: "Record", group: "", run: () => runs.push("r") }, { key: ".", does: "Step", group: "", repeats: true, run: () => runs.push(".") });
+  for (const key of ["r", "."]) {
+    press(key);
+    press(key, true);
+    press(key, true);
+  }
+
+  assert.deepEqual(runs, ["r", ".", ".", "."]);
+});
+
+test("a key without a use does nothing and is not listed", () => {
+  const { keys, press } = createKeys();
+  let isUseful = false;
+  let runs = 0;
+  keys.add({ key: "r", does: "Record", group: "", isUseful: () => isUseful, run: () => runs++ });
+  press("r");
+  assert.deepEqual([runs, keys.all.length], [0, 0]);
+  isUseful = true;
+  press("r");
+  assert.deepEqual([runs, keys.all.length], [1, 1]);
+});
