@@ -95,7 +95,8 @@ internal sealed class FigureSurfaceBuilder
             Vector3 axis = shape.End - shape.Start;
             axis = axis.LengthSquared() > 1e-10f ? Vector3.Normalize(axis) : Vector3.UnitY;
             Vector3 side = shape.Side - (axis * Vector3.Dot(shape.Side, axis));
-            side = side.LengthSquared() > 1e-6f ? Vector3.Normalize(side) : Vector3.Normalize(Vector3.Cross(axis, Vector3.UnitX));
+            Vector3 other = Math.Abs(axis.X) < 0.9f ? Vector3.UnitX : Vector3.UnitZ;
+            side = Vector3.Normalize(side.LengthSquared() > 1e-6f ? side : Vector3.Cross(axis, other));
             int segments = Math.Max(shape.StartRadii.X, shape.EndRadii.X) < ThinShape ? 10 : 20;
             return new ShapeSection(axis, side, Vector3.Cross(axis, side), segments);
         }

@@ -62,11 +62,12 @@ public sealed class FootContactEstimator
         float ground = _ground.Update(now.Lowest, seconds);
         if (measured is { } known)
             Contacts = known;
-        else if (elapsed > 0)
+        else if (elapsed > 0 && now.IsFinite)
             Contacts = now.Touches(Contacts, _before, now, elapsed, ground);
 
-        // Two frames with the same time do not define a speed. The next frame is compared with the first of them.
-        if (elapsed is > 0 or double.NaN)
+        // Two frames with the same time do not define a speed. The next frame is compared with the first of them. A frame with values that are not numbers
+        // tells nothing.
+        if (elapsed is > 0 or double.NaN && now.IsFinite)
         {
             _before = now;
             _time = seconds;

@@ -37,13 +37,29 @@ public sealed class FootContactTrack
         FootContacts last = default;
         for (int i = 0; i < contacts.Length; i++)
         {
-            int before = Math.Max(0, i - 1);
-            int after = Math.Min(contacts.Length - 1, i + 1);
-            last = _samples[i].Touches(last, _samples[before], _samples[after], _times[after] - _times[before], ground[i]);
+            if (_samples[i].IsFinite)
+            {
+                int before = FindFinite(i, -1);
+                int after = FindFinite(i, 1);
+                last = _samples[i].Touches(last, _samples[before], _samples[after], _times[after] - _times[before], ground[i]);
+            }
+
             contacts[i] = last;
         }
 
         return contacts;
+    }
+
+    // The next usable frame in a direction; the frame itself if there is none.
+    private int FindFinite(int frame, int step)
+    {
+        for (int i = frame + step; i >= 0 && i < _samples.Count; i += step)
+        {
+            if (_samples[i].IsFinite)
+                return i;
+        }
+
+        return frame;
     }
 
     // Applies GroundEstimator from both ends, so a step up is known in advance.

@@ -18,6 +18,8 @@ internal readonly struct FootSample(Vector3 left, Vector3 right)
 
     public float Lowest => Math.Min(_left.Y, _right.Y);
 
+    public bool IsFinite => IsNumber(_left) && IsNumber(_right);
+
     public static FootSample Of(ReadOnlySpan<BoneTransform> world, SkeletonBody body)
     {
         ForwardKinematics.CheckPose(world, nameof(world));
@@ -28,10 +30,12 @@ internal readonly struct FootSample(Vector3 left, Vector3 right)
         Touches(last.Left, _left.Y - ground, Vector3.Distance(before._left, after._left) / seconds),
         Touches(last.Right, _right.Y - ground, Vector3.Distance(before._right, after._right) / seconds));
 
+    private static bool IsNumber(Vector3 point) => float.IsFinite(point.X) && float.IsFinite(point.Y) && float.IsFinite(point.Z);
+
     private static Vector3 Middle(ReadOnlySpan<BoneTransform> world, SkeletonBody body, Bone foot) =>
         (world[(int)foot].Position + JointPositions.GetEnd(world, body, foot)) / 2;
 
-    // In a take of one frame, the speed is not a number.
+    // In a take with one usable frame, the speed is not a number.
     private static bool Touches(bool last, float height, double speed) =>
         height < (last ? LeftGround : NearGround) && !(speed >= (last ? SpeedOfLeaving : LargestSpeed));
 }

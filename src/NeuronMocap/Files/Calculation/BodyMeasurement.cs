@@ -41,19 +41,22 @@ internal sealed class BodyMeasurement
 
     public SkeletonVariant Variant => _trunk.Variant;
 
-    public static BodyMeasurement Of(CalculationDocument take, CalculationAxes axes, int step)
+    /// <param name="take">The take.</param>
+    /// <param name="axes">Its axes.</param>
+    /// <param name="frames">The frames to measure; at least one. All their centres are finite.</param>
+    public static BodyMeasurement Of(CalculationDocument take, CalculationAxes axes, int[] frames)
     {
-        var body = new BodyMeasurement(TrunkMeasurement.Recognize(new SensorFrame(take.GetValues(0), axes)));
-        for (int i = 0; i < take.FrameCount; i += step)
-            body._trunk.Add(new SensorFrame(take.GetValues(i), axes));
+        var body = new BodyMeasurement(TrunkMeasurement.Recognize(new SensorFrame(take.GetValues(frames[0]), axes)));
+        foreach (int frame in frames)
+            body._trunk.Add(new SensorFrame(take.GetValues(frame), axes));
 
         body.SolveTrunk();
-        for (int i = 0; i < take.FrameCount; i += step)
-            body.AddLimbs(new SensorFrame(take.GetValues(i), axes));
+        foreach (int frame in frames)
+            body.AddLimbs(new SensorFrame(take.GetValues(frame), axes));
 
         body.SolveLimbs();
-        for (int i = 0; i < take.FrameCount; i += step)
-            body.AddShoulders(new SensorFrame(take.GetValues(i), axes));
+        foreach (int frame in frames)
+            body.AddShoulders(new SensorFrame(take.GetValues(frame), axes));
 
         return body;
     }

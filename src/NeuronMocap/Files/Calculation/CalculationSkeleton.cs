@@ -26,6 +26,9 @@ public sealed class CalculationSkeleton
     private const string EndsOfBones = "This calculation export contains the ends of the bones instead of their centres: its thighs begin at the hips, without a "
         + "hip width. Poses cannot be computed, because the hip joints and the sensor mountings cannot be found. Its rows can still be read and copied.";
 
+    private const string NoWholeFrame = "Every frame of this calculation export has a position that is not a number. Poses cannot be computed, because the body "
+        + "cannot be measured.";
+
     private readonly BodyMeasurement _measurement;
     private readonly Vector3[] _offsets;
     private readonly CalculationAxes _axes;
@@ -37,7 +40,11 @@ public sealed class CalculationSkeleton
         if (BonePoints.AreEnds(take, axes, step))
             throw new CalculationFormatException(EndsOfBones);
 
-        _measurement = BodyMeasurement.Of(take, axes, step);
+        int[] frames = FindFinite(take, axes, step);
+        if (frames.Length == 0)
+            throw new CalculationFormatException(NoWholeFrame);
+
+        _measurement = BodyMeasurement.Of(take, axes, frames);
         _offsets = _measurement.CreateOffsets();
         Vector3[] ends = _measurement.CreateEndSites();
         Span<BoneTransform> rest = stackalloc BoneTransform[BoneHierarchy.BoneCount];
@@ -45,7 +52,7 @@ public sealed class CalculationSkeleton
             rest[bone] = new BoneTransform(_offsets[bone], Quaternion.Identity);
 
         Body = SkeletonBody.FromPose(rest, _measurement.Variant, ends);
-        GroundHeight = MeasureGround(take, step);
+        GroundHeight = MeasureGround(take, frames);
         Warnings = BodyPlausibility.Find(_offsets);
     }
 
@@ -65,10 +72,14 @@ public sealed class CalculationSkeleton
     public IReadOnlyList<string> Warnings { get; }
 
     /// <summary>Measures the skeleton of a take.</summary>
-    /// <param name="take">The take. Bones that do not move in it have positions as in the default body.</param>
+    /// <param name="take">
+    /// The take. Bones that do not move in it have positions as in the default body. Frames with a position that is not a number are not measured.
+    /// </param>
     /// <param name="axes">The axes of the take; null for <see cref="CalculationAxes.Export"/>.</param>
     /// <returns>The skeleton, which does not keep a reference to the take.</returns>
-    /// <exception cref="CalculationFormatException">The take contains the ends of the bones instead of their centres.</exception>
+    /// <exception cref="CalculationFormatException">
+    /// The take contains the ends of the bones instead of their centres, or each frame has a position that is not a number.
+    /// </exception>
     public static CalculationSkeleton Measure(CalculationDocument take, CalculationAxes? axes = null)
     {
         ArgumentNullException.ThrowIfNull(take);
@@ -116,12 +127,25 @@ public sealed class CalculationSkeleton
         return new BoneTransform(joint, Quaternion.Normalize(AxisPair.Between(half, centre - joint) * rotation));
     }
 
-    private float MeasureGround(CalculationDocument take, int step)
+    // One value that is not a number would spread to all lengths.
+    private static int[] FindFinite(CalculationDocument take, CalculationAxes axes, int step)
+    {
+        var frames = new List<int>();
+        for (int i = 0; i < take.FrameCount; i += step)
+        {
+            if (new SensorFrame(take.GetValues(i), axes).IsFinite)
+                frames.Add(i);
+        }
+
+        return [.. frames];
+    }
+
+    private float MeasureGround(CalculationDocument take, int[] frames)
     {
         double sum = 0;
         int count = 0;
         float lowest = float.MaxValue;
-        for (int i = 0; i < take.FrameCount; i += step)
+        foreach (int i in frames)
         {
             var frame = new SensorFrame(take.GetValues(i), _axes);
             foreach (Bone foot in (ReadOnlySpan<Bone>)[Bone.LeftFoot, Bone.RightFoot])

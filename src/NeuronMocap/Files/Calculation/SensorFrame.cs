@@ -17,6 +17,22 @@ internal ref struct SensorFrame
         _axes = axes;
     }
 
+    // A sensor that drops out can leave a value that is not a number.
+    public bool IsFinite
+    {
+        get
+        {
+            for (int bone = 0; bone < CalculationOrder.BodyBoneCount; bone++)
+            {
+                ReadOnlySpan<float> values = _values[(bone * ValuesPerBone)..];
+                if (!float.IsFinite(values[0]) || !float.IsFinite(values[1]) || !float.IsFinite(values[2]))
+                    return false;
+            }
+
+            return true;
+        }
+    }
+
     public bool LeftContact => _values[CalculationOrder.BodyBoneCount * ValuesPerBone] != 0;
 
     public bool RightContact => _values[(CalculationOrder.BodyBoneCount * ValuesPerBone) + 1] != 0;
