@@ -33,11 +33,25 @@ internal sealed class RecordingCopy(RecordingReader reader, TimeRange range, IPr
                 case RecordingEntryKind.BytesLost:
                     writer.WriteLoss(time, entry.Connection, entry.LostPieces, entry.LostBytes);
                     break;
+                case RecordingEntryKind.Damaged:
+                    WriteDamage(writer, time, entry.LostBytes);
+                    break;
                 default:
                     if (_open.ContainsKey(entry.Connection))
                         CopyState(writer, time, entry);
                     break;
             }
+        }
+    }
+
+    // The copy has no damaged place. Without a loss, a packet before that place and bytes after it would become one frame. Any connection may have lost
+    // bytes; their number is told once.
+    private void WriteDamage(RecordingWriter writer, TimeSpan time, long bytes)
+    {
+        foreach (int connection in _open.Keys)
+        {
+            writer.WriteLoss(time, connection, pieces: 1, bytes);
+            bytes = 0;
         }
     }
 
@@ -109,7 +123,7 @@ internal sealed class RecordingCopy(RecordingReader reader, TimeRange range, IPr
         {
             cancellationToken.ThrowIfCancellationRequested();
             progress.Report(reader.Duration > TimeSpan.Zero ? entry.Time / reader.Duration : 0);
-            bool isTraffic = entry.Kind is RecordingEntryKind.Bytes or RecordingEntryKind.BytesLost;
+            bool isTraffic = entry.Kind is RecordingEntryKind.Bytes or RecordingEntryKind.BytesLost or RecordingEntryKind.Damaged;
             if (range.Contains(entry.Time) || (!isTraffic && entry.Time < range.Start))
                 return true;
         }

@@ -24,7 +24,7 @@ public sealed class ManualClock
     /// The time of the clock in ticks of <see cref="Stopwatch"/>: <see cref="AvatarFrame.Timestamp"/> of a frame that is due now. It equals the real
     /// time only when the clock was created.
     /// </summary>
-    public long Timestamp => _origin + (long)Math.Round(Now.TotalSeconds * Stopwatch.Frequency);
+    public long Timestamp => _origin + RecordedTime.ToTimestamp(Now);
 
     /// <summary>Moves the clock forward.</summary>
     /// <param name="time">The new time. If it is not later than <see cref="Now"/>, the clock stays where it is.</param>

@@ -34,6 +34,9 @@ internal readonly record struct RecordedEvent(RecordedEventKind Kind, TimeSpan T
     // For an opened connection: whether it was already open. Its first bytes may then be the middle of a packet.
     public bool WasOpen { get; init; }
 
+    // For lost bytes: whether a part of the file is damaged or missing, so that bytes of every connection can be missing.
+    public bool IsDamage { get; init; }
+
     public ArraySegment<byte> Bytes { get; init; }
 
     // Over UDP only.

@@ -1,4 +1,3 @@
-using System.Diagnostics;
 using NeuronMocap.Protocol;
 using NeuronMocap.Transport;
 
@@ -58,7 +57,7 @@ internal sealed class RecordedEventParser(int maxValues, SenderFilter filter, IP
         if (recorded.Kind == RecordedEventKind.Bytes)
             Push(ParserOf(recorded)!, recorded, timestamp);
         else if (recorded.Kind == RecordedEventKind.Lost)
-            ParserOf(recorded)?.Tcp?.Abandon();
+            Abandon(recorded);
         else if (recorded.Kind == RecordedEventKind.Closed && Continues(recorded))
             Close(ParserOf(recorded));
 
@@ -83,13 +82,22 @@ internal sealed class RecordedEventParser(int maxValues, SenderFilter filter, IP
             parser?.Udp?.Settle(_clock, isLast: true);
     }
 
-    private static long ToClock(TimeSpan time) => (long)(time.TotalSeconds * Stopwatch.Frequency);
+    private static long ToClock(TimeSpan time) => RecordedTime.ToTimestamp(time);
 
     private static int PlaceOf(in RecordedEvent recorded) => recorded.IsCalculation ? 1 : 0;
 
     private Parser? ParserOf(in RecordedEvent recorded) => _parsers[PlaceOf(recorded)];
 
     // Bytes after a loss do not continue a packet. The datagram after a missing one reveals the gap.
+    private void Abandon(in RecordedEvent recorded)
+    {
+        foreach (Parser? parser in _parsers)
+        {
+            if (recorded.IsDamage || parser == ParserOf(recorded))
+                parser?.Tcp?.Abandon();
+        }
+    }
+
     private void Push(Parser parser, in RecordedEvent recorded, long timestamp)
     {
         Connection = recorded.Connection;

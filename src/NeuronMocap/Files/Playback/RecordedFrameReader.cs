@@ -1,4 +1,3 @@
-using System.Diagnostics;
 using NeuronMocap.Delivery;
 using NeuronMocap.Frames;
 using NeuronMocap.Protocol;
@@ -123,7 +122,7 @@ public sealed class RecordedFrameReader : IDisposable
                 continue;
             }
 
-            if (_parser.Follow(recorded, FirstTimestamp + (long)(recorded.Time.TotalSeconds * Stopwatch.Frequency)))
+            if (_parser.Follow(recorded, FirstTimestamp + RecordedTime.ToTimestamp(recorded.Time)))
                 _counters.Resume(recorded.IsCalculation);
 
             Connection = _parser.Connection;

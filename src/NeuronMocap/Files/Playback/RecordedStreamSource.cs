@@ -61,8 +61,9 @@ internal sealed class RecordedStreamSource : RecordedEventSource
                 case RecordingEntryKind.Bytes:
                     return ReadBytes(entry, time);
                 case RecordingEntryKind.BytesLost:
-                case RecordingEntryKind.Damaged:
                     return Of(RecordedEventKind.Lost, time, entry.Connection);
+                case RecordingEntryKind.Damaged:
+                    return new RecordedEvent(RecordedEventKind.Lost, time) { IsDamage = true };
                 case RecordingEntryKind.ConnectionClosed:
                     RecordedEvent closed = Of(RecordedEventKind.Closed, time, entry.Connection) with { Reason = entry.Text };
                     Forget(entry.Connection);
