@@ -170,6 +170,10 @@ public sealed class CalculationFileReader : IDisposable
         using var header = new MemoryStream();
         while (_lines.TryRead())
         {
+            // An editor may have put it before the first line.
+            if (_lines.Number == 1)
+                header.Write(_lines.TakeByteOrderMark());
+
             CalculationRow row = CalculationRow.Read(_lines.Text, _values);
             if (IsRow(row))
                 return header.ToArray();

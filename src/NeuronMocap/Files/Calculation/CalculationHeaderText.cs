@@ -8,6 +8,7 @@ namespace NeuronMocap.Calculation;
 // with their number, and the column names. It does not write the frame rate; this line is an addition of this library.
 internal static class CalculationHeaderText
 {
+    private const string ByteOrderMark = "\u00EF\u00BB\u00BF"; // of UTF-8, one letter for each byte
     private const string FrameRateName = "Frame Rate:";
     private const double HighestRate = 1e6;
 
@@ -37,7 +38,10 @@ internal static class CalculationHeaderText
     public static byte[] WithFrameRate(ReadOnlySpan<byte> header, double rate)
     {
         var text = new StringBuilder();
-        string[] lines = ToText(header).Split('\n');
+        string all = ToText(header);
+        string whole = WithoutMark(all);
+        text.Append(all, 0, all.Length - whole.Length);
+        string[] lines = whole.Split('\n');
         foreach (string line in lines)
         {
             if (!IsNamed(line, FrameRateName))
@@ -66,9 +70,11 @@ internal static class CalculationHeaderText
 
     private static string? Find(ReadOnlySpan<byte> header, string name)
     {
-        string? line = ToText(header).Split('\r', '\n').FirstOrDefault(line => IsNamed(line, name));
+        string? line = ToText(header).Split('\r', '\n').Select(WithoutMark).FirstOrDefault(line => IsNamed(line, name));
         return line?.Trim()[name.Length..].Trim();
     }
+
+    private static string WithoutMark(string text) => text.StartsWith(ByteOrderMark, StringComparison.Ordinal) ? text[ByteOrderMark.Length..] : text;
 
     private static bool IsNamed(string line, string name) => line.TrimStart().StartsWith(name, StringComparison.OrdinalIgnoreCase);
 

@@ -6,6 +6,8 @@ internal sealed class CalculationLines(Stream stream, IProgress<long>? progress)
 {
     private const int LongestLine = 1 << 20;
 
+    private static readonly byte[] ByteOrderMark = [0xEF, 0xBB, 0xBF];
+
     private byte[] _buffer = new byte[1 << 16];
     private int _start;
     private int _end;
@@ -27,6 +29,18 @@ internal sealed class CalculationLines(Stream stream, IProgress<long>? progress)
     public ReadOnlySpan<byte> TextAndEnd => _buffer.AsSpan(_start, _lineLength);
 
     public bool HasEnd => _lineLength > _textLength;
+
+    /// <summary>Removes a byte order mark from the start of the line. Returns it, or nothing.</summary>
+    public ReadOnlySpan<byte> TakeByteOrderMark()
+    {
+        if (!Text.StartsWith(ByteOrderMark))
+            return default;
+
+        _start += ByteOrderMark.Length;
+        _textLength -= ByteOrderMark.Length;
+        _lineLength -= ByteOrderMark.Length;
+        return ByteOrderMark;
+    }
 
     public bool TryRead()
     {
