@@ -149,8 +149,11 @@ public sealed class BvhWriter : IDisposable
         }
     }
 
-    private string TimeText =>
-        _format.FrameTimeText is { } text && BvhFrameTime.TryParse(text, out BvhFrameTime time) && time == _frameTime ? text : _frameTime.ToString();
+    // A text that is written again later must fit into its place. Some programs write 17 digits.
+    private string TimeText => _format.FrameTimeText is { } text && (_timePlace < 0 || text.Length <= FrameTimeWidth)
+        && BvhFrameTime.TryParse(text, out BvhFrameTime time) && time == _frameTime
+            ? text
+            : _frameTime.ToString();
 
     /// <summary>Writes a row.</summary>
     /// <param name="values">As many values as the hierarchy has channels, in its order.</param>
