@@ -16,7 +16,9 @@ public sealed class CalculationSource : MotionSource
     /// <summary>Creates a source from a file.</summary>
     /// <param name="document">The file.</param>
     /// <param name="axes">The axes of the file; null for <see cref="CalculationAxes.Export"/>.</param>
-    /// <exception cref="CalculationFormatException">The file holds the ends of the bones instead of their centres.</exception>
+    /// <exception cref="CalculationFormatException">
+    /// The file holds the ends of the bones instead of their centres, or each frame has a position that is not a number.
+    /// </exception>
     public CalculationSource(CalculationDocument document, CalculationAxes? axes = null)
     {
         ArgumentNullException.ThrowIfNull(document);

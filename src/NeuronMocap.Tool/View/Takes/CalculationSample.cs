@@ -36,7 +36,9 @@ internal sealed class CalculationSample
     }
 
     /// <summary>Measures the skeleton.</summary>
-    /// <exception cref="CalculationFormatException">The rows hold the ends of the bones instead of their centres.</exception>
+    /// <exception cref="CalculationFormatException">
+    /// The rows hold the ends of the bones instead of their centres, or each row has a position that is not a number.
+    /// </exception>
     public CalculationSkeleton Measure()
     {
         using var text = new MemoryStream();

@@ -17,14 +17,14 @@ internal static class BonePoints
 
     private static readonly (Bone Upper, Bone Lower)[] Legs = [(Bone.RightUpLeg, Bone.RightLeg), (Bone.LeftUpLeg, Bone.LeftLeg)];
 
-    /// <summary>Whether a take contains the ends of the bones.</summary>
-    public static bool AreEnds(CalculationDocument take, CalculationAxes axes, int step)
+    /// <summary>Whether a take contains the ends of the bones, according to some of its frames.</summary>
+    public static bool AreEnds(CalculationDocument take, CalculationAxes axes, int[] frames)
     {
         foreach ((Bone upper, Bone lower) in Legs)
         {
             var first = new Range();
             var second = new Range();
-            for (int i = 0; i < take.FrameCount; i += step)
+            foreach (int i in frames)
             {
                 var frame = new SensorFrame(take.GetValues(i), axes);
                 Vector3 knee = frame.GetCentre(upper);

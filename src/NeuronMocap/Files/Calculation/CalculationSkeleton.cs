@@ -35,14 +35,12 @@ public sealed class CalculationSkeleton
 
     private CalculationSkeleton(CalculationDocument take, CalculationAxes axes)
     {
-        int step = ((take.FrameCount - 1) / MaxFrames) + 1;
         _axes = axes;
-        if (BonePoints.AreEnds(take, axes, step))
-            throw new CalculationFormatException(EndsOfBones);
-
-        int[] frames = FindFinite(take, axes, step);
+        int[] frames = FindFinite(take, axes);
         if (frames.Length == 0)
             throw new CalculationFormatException(NoWholeFrame);
+        if (BonePoints.AreEnds(take, axes, frames))
+            throw new CalculationFormatException(EndsOfBones);
 
         _measurement = BodyMeasurement.Of(take, axes, frames);
         _offsets = _measurement.CreateOffsets();
@@ -128,16 +126,11 @@ public sealed class CalculationSkeleton
     }
 
     // One value that is not a number would spread to all lengths.
-    private static int[] FindFinite(CalculationDocument take, CalculationAxes axes, int step)
+    private static int[] FindFinite(CalculationDocument take, CalculationAxes axes)
     {
-        var frames = new List<int>();
-        for (int i = 0; i < take.FrameCount; i += step)
-        {
-            if (new SensorFrame(take.GetValues(i), axes).IsFinite)
-                frames.Add(i);
-        }
-
-        return [.. frames];
+        int[] finite = [.. Enumerable.Range(0, take.FrameCount).Where(frame => new SensorFrame(take.GetValues(frame), axes).IsFinite)];
+        int step = ((finite.Length - 1) / MaxFrames) + 1;
+        return [.. finite.Where((_, place) => place % step == 0)];
     }
 
     private float MeasureGround(CalculationDocument take, int[] frames)

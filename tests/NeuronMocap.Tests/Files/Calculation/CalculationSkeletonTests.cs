@@ -1,5 +1,6 @@
 using System.Numerics;
 using NeuronMocap.Calculation;
+using NeuronMocap.Skeleton;
 
 namespace NeuronMocap.Tests.Calculation;
 
@@ -51,5 +52,83 @@ public sealed class CalculationSkeletonTests
         BoneTransform[] world = CalculationPoses.WorldOf(CalculationSkeleton.Measure(document), document, 1);
 
         Assert.All(world, bone => Assert.True(float.IsFinite(bone.Position.Y) && float.IsFinite(bone.Rotation.W)));
+    }
+
+    [Theory]
+    [InlineData(100)]
+    [InlineData(0)]
+    public void A_position_that_is_not_a_number_spoils_only_its_own_frame(int spoiled)
+    {
+        CalculationDocument whole = ActorExport.Write(240);
+        CalculationDocument document = Write(Enumerable.Range(0, 240).Select(frame => frame == spoiled ? Without(Row(whole, frame), Bone.RightFoot) : Row(whole, frame)));
+
+        var skeleton = CalculationSkeleton.Measure(document);
+
+        AssertSameBody(CalculationSkeleton.Measure(whole), skeleton);
+        foreach (int frame in Enumerable.Range(0, 240).Where(frame => frame != spoiled))
+        {
+            Assert.All(
+                CalculationPoses.WorldOf(skeleton, document, frame),
+                static bone => Assert.True(float.IsFinite(bone.Position.Length()) && float.IsFinite(bone.Rotation.Length())));
+        }
+    }
+
+    // Only every second frame of so many would be measured, and each of those lacks a foot.
+    [Fact]
+    public void Spoiled_frames_of_a_long_take_are_replaced_by_others()
+    {
+        CalculationDocument whole = ActorExport.Write(240);
+        float[][] rows = [.. Enumerable.Range(0, 240).Select(frame => Row(whole, frame)[..CalculationFrame.BodyValueCount])];
+        CalculationDocument document = Write(Enumerable.Range(0, 2002).Select(frame => frame % 2 == 0 ? Without(rows[frame % 240], Bone.RightFoot) : rows[frame % 240]));
+
+        AssertSameBody(CalculationSkeleton.Measure(whole), CalculationSkeleton.Measure(document));
+    }
+
+    [Theory]
+    [InlineData(Bone.RightFoot)]
+    [InlineData(Bone.RightUpLeg, Bone.LeftUpLeg)]
+    public void A_take_without_a_whole_frame_is_refused(params Bone[] lost)
+    {
+        CalculationDocument whole = ActorExport.Write(20);
+        CalculationDocument document = Write(Enumerable.Range(0, 20).Select(frame => Without(Row(whole, frame), lost)));
+
+        var refusal = Assert.Throws<CalculationFormatException>(() => CalculationSkeleton.Measure(document));
+
+        Assert.Contains("not a number", refusal.Message, StringComparison.Ordinal);
+    }
+
+    private static float[] Row(CalculationDocument document, int frame) => document.GetValues(frame).ToArray();
+
+    private static float[] Without(float[] row, params Bone[] bones)
+    {
+        float[] copy = [.. row];
+        foreach (Bone bone in bones)
+            copy[CalculationOrder.IndexOf(bone) * 16] = float.NaN;
+
+        return copy;
+    }
+
+    private static CalculationDocument Write(IEnumerable<float[]> rows)
+    {
+        float[][] all = [.. rows];
+        using var text = new MemoryStream();
+        using (var writer = new CalculationFileWriter(text, all[0].Length, leaveOpen: true))
+        {
+            foreach (float[] row in all)
+                writer.WriteFrame(row);
+        }
+
+        return CalculationDocument.Parse(text.ToArray());
+    }
+
+    private static void AssertSameBody(CalculationSkeleton expected, CalculationSkeleton actual)
+    {
+        Assert.Equal(expected.Body.Variant, actual.Body.Variant);
+        Assert.InRange(actual.GroundHeight, expected.GroundHeight - 1, expected.GroundHeight + 1);
+        foreach (Bone bone in BoneHierarchy.Bones)
+        {
+            Assert.InRange(Vector3.Distance(expected.Body.GetOffset(bone), actual.Body.GetOffset(bone)), 0, 1);
+            Assert.InRange(Vector3.Distance(expected.Body.EndSites[(int)bone], actual.Body.EndSites[(int)bone]), 0, 1);
+        }
     }
 }
