@@ -70,7 +70,8 @@ public sealed record BvhTextFormat
 
     /// <summary>
     /// The text of the frame time, such as 0.008. It is written only if <see cref="BvhFrameTime.TryParse"/> reads the file's frame time from it.
-    /// Otherwise, or if this is null, <see cref="BvhFrameTime.ToString"/> is written.
+    /// Otherwise, or if this is null, <see cref="BvhFrameTime.ToString"/> is written. A <see cref="BvhWriter"/> also does so if
+    /// <see cref="BvhWriter.FrameTime"/> changes and the place in the file is too short for this text.
     /// </summary>
     public string? FrameTimeText { get; init; }
 

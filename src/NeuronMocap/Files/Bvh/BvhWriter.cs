@@ -27,7 +27,7 @@ namespace NeuronMocap.Bvh;
 /// </remarks>
 public sealed class BvhWriter : IDisposable
 {
-    // Wide enough for any number of frames, and for any frame time with fifteen decimals.
+    // Wide enough for any number of frames, and for any frame time with fifteen decimals. A longer text of the first frame time gets a wider place.
     private const int FrameCountWidth = 10;
     private const int FrameTimeWidth = 20;
 
@@ -40,7 +40,7 @@ public sealed class BvhWriter : IDisposable
     private readonly byte[] _rowEnd;
     private readonly int[]? _columns;
     private readonly byte[] _buffer = new byte[BufferSize];
-    private readonly byte[] _field = new byte[FrameTimeWidth];
+    private readonly byte[] _field;
     private readonly long _countPlace = -1;
     private readonly long _timePlace = -1;
     private readonly long _start;
@@ -111,10 +111,12 @@ public sealed class BvhWriter : IDisposable
             _countPlace = stream.Position + _length;
 
         WriteText(Padded(Decimal(frameCount ?? 0), isPatched ? FrameCountWidth : 0) + _format.LineEnd + "Frame Time: ");
+        string time = TimeText;
+        _field = new byte[Math.Max(time.Length, FrameTimeWidth)];
         if (isPatched)
             _timePlace = stream.Position + _length;
 
-        WriteText(Padded(TimeText, isPatched ? FrameTimeWidth : 0) + _format.LineEnd);
+        WriteText(Padded(time, isPatched ? _field.Length : 0) + _format.LineEnd);
         _rowsEnd = _length;
     }
 
@@ -149,8 +151,8 @@ public sealed class BvhWriter : IDisposable
         }
     }
 
-    // A text that is written again later must fit into its place. Some programs write 17 digits.
-    private string TimeText => _format.FrameTimeText is { } text && (_timePlace < 0 || text.Length <= FrameTimeWidth)
+    // A text that is written later must fit into its place. Some programs write 17 digits.
+    private string TimeText => _format.FrameTimeText is { } text && (_timePlace < 0 || text.Length <= _field.Length)
         && BvhFrameTime.TryParse(text, out BvhFrameTime time) && time == _frameTime
             ? text
             : _frameTime.ToString();
@@ -258,7 +260,7 @@ public sealed class BvhWriter : IDisposable
     {
         long end = _stream.Position;
         if (_isTimeStale)
-            Overwrite(_timePlace, Padded(TimeText, FrameTimeWidth));
+            Overwrite(_timePlace, Padded(TimeText, _field.Length));
 
         Overwrite(_countPlace, Padded(Decimal(FrameCount), FrameCountWidth));
         _stream.Position = end;

@@ -79,6 +79,41 @@ public sealed class BvhWriterTests : IDisposable
         Assert.Equal(new BvhFrameTime(1001, 30_000), BvhDocument.Load(_path).FrameTime);
     }
 
+    // Some programs write 17 digits. The last of them must neither lack room nor stay behind another text.
+    [Theory]
+    [InlineData("0.0041666666666666666", 240)]
+    [InlineData("0.0083333333333333332", 60)]
+    public void A_long_text_of_the_frame_time_leaves_room_for_another(string text, int rate)
+    {
+        BvhDocument document = Parse(TwoRows);
+        using var memory = new MemoryStream();
+        using (var writer = new BvhWriter(memory, document.Hierarchy, BvhFrameTime.Default, new BvhTextFormat { FrameTimeText = text }, leaveOpen: true))
+        {
+            writer.WriteFrame(document.GetValues(0));
+            writer.FrameTime = new BvhFrameTime(1, rate);
+            writer.Flush();
+        }
+
+        BvhDocument read = BvhDocument.Parse(memory.ToArray());
+        Assert.Empty(read.Repairs);
+        Assert.Equal(new BvhFrameTime(1, rate), read.FrameTime);
+        AssertBits(document.GetValues(0), Values(read));
+    }
+
+    [Fact]
+    public void A_long_text_of_the_frame_time_is_kept()
+    {
+        BvhDocument document = Parse(TwoRows);
+        using (var writer = new BvhWriter(_path, document.Hierarchy, BvhFrameTime.Default, new BvhTextFormat { FrameTimeText = "0.0083333333333333332" }))
+        {
+            writer.FrameTime = new BvhFrameTime(1, 60);
+            writer.Flush();
+            writer.FrameTime = BvhFrameTime.Default;
+        }
+
+        Assert.Contains("\r\nFrame Time: 0.0083333333333333332\r\n", File.ReadAllText(_path), StringComparison.Ordinal);
+    }
+
     [Fact]
     public void An_unseekable_stream_gets_a_valid_file()
     {
