@@ -75,6 +75,34 @@ public sealed class RecordedFrameReaderTests
         Assert.Equal([3u], RecordedFrames.ReadAll(reader).Select(static read => read.Frame.FrameIndex));
     }
 
+    // Bytes of every connection may be missing, whichever connection the lost block held.
+    [Fact]
+    public void Packets_of_no_connection_are_joined_across_a_damaged_block()
+    {
+        byte[] packet = TestPackets.Calculation(0);
+        long start = 0, end = 0;
+        using TemporaryFile file = Recordings.Write(writer =>
+        {
+            writer.OpenConnection(TimeSpan.Zero, Tcp);
+            writer.OpenConnection(TimeSpan.Zero, Tcp with { Number = 1, IsCalculation = true });
+            writer.WriteBytes(Recordings.At(1), 1, packet.AsSpan(0, 1000));
+            writer.Flush();
+            start = writer.WrittenLength;
+            writer.WriteBytes(Recordings.At(2), 1, packet.AsSpan(1000));
+            writer.Flush();
+            end = writer.WrittenLength;
+            writer.WriteBytes(Recordings.At(3), 1, TestPackets.Calculation(2));
+        });
+        byte[] bytes = File.ReadAllBytes(file.Path);
+        bytes[(start + end) / 2] ^= 1;
+        File.WriteAllBytes(file.Path, bytes);
+
+        using RecordedFrameReader reader = RecordedFrameReader.Open(file.Path);
+        (AvatarFrame frame, _) = Assert.Single(RecordedFrames.ReadAll(reader));
+        Assert.Equal(2u, frame.FrameIndex);
+        Assert.Equal(Enumerable.Range(0, 946).Select(static i => TestPackets.Value(2, 0, i)), frame.Values.ToArray());
+    }
+
     [Fact]
     public void Each_UDP_sender_has_its_own_frames()
     {
