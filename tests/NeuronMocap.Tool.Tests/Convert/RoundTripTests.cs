@@ -116,6 +116,40 @@ public sealed class RoundTripTests : IDisposable
         Assert.DoesNotContain(info.Output, static line => line.Contains("upper leg", StringComparison.Ordinal));
     }
 
+    // The copy has no damaged block. Without a loss in its place, the first part of the packet would continue with another packet.
+    [Fact]
+    public async Task A_copy_of_a_damaged_recording_has_the_same_frames()
+    {
+        byte[] split = FrameServer.Calculation(1, Ramp(1));
+        long start, end;
+        using (RecordingWriter writer = RecordingWriter.Create(_folder["take.nmrec"]))
+        {
+            writer.OpenConnection(TimeSpan.Zero, new RecordedConnection(0, TransportKind.Tcp, string.Empty, string.Empty));
+            writer.OpenConnection(TimeSpan.Zero, new RecordedConnection(1, TransportKind.Tcp, string.Empty, string.Empty) { IsCalculation = true });
+            writer.WriteBytes(TimeSpan.FromSeconds(1), 1, [.. FrameServer.Calculation(0, Ramp(0)), .. split[..1000]]);
+            writer.Flush();
+            start = writer.WrittenLength;
+            writer.WriteBytes(TimeSpan.FromSeconds(2), 0, new byte[500]);
+            writer.Flush();
+            end = writer.WrittenLength;
+            writer.WriteBytes(TimeSpan.FromSeconds(3), 1, split.AsSpan(1000));
+            writer.WriteBytes(TimeSpan.FromSeconds(4), 1, FrameServer.Calculation(2, Ramp(2)));
+        }
+
+        byte[] bytes = await File.ReadAllBytesAsync(_folder["take.nmrec"], Token);
+        bytes[(start + end) / 2] ^= 1;
+        await File.WriteAllBytesAsync(_folder["take.nmrec"], bytes, Token);
+        await ConvertAsync(_folder["take.nmrec"], _folder["copy.nmrec"]);
+
+        Assert.Equal([1.0, 4], Times(_folder["take.nmrec"]).Select(static time => time.TotalSeconds));
+        AssertSameFrames(_folder["take.nmrec"], _folder["copy.nmrec"]);
+        using RecordingReader copy = RecordingReader.Open(_folder["copy.nmrec"]);
+        Assert.Empty(copy.Problems);
+        Assert.Equal((2, end - start), (copy.Totals!.Value.LostPieces, copy.Totals.Value.LostBytes));
+
+        static float[] Ramp(int frame) => [.. Enumerable.Range(0, 946).Select(i => frame + (i / 1024f))];
+    }
+
     public void Dispose() => _folder.Dispose();
 
     private static CancellationToken Token => TestContext.Current.CancellationToken;
