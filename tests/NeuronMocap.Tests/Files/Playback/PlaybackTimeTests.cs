@@ -26,6 +26,11 @@ public sealed class PlaybackTimeTests
         }
     }
 
+    // The frequency of Windows.
+    [Fact]
+    public void A_recorded_time_keeps_every_tick() => Assert.DoesNotContain(
+        Enumerable.Range(0, 1_000_001), static ticks => RecordedTime.ToTimestamp(TimeSpan.FromTicks(ticks), frequency: 10_000_000) != ticks);
+
     [Fact]
     public void A_precise_sleep_lasts_at_least_its_time()
     {
