@@ -72,6 +72,37 @@ public sealed class CalculationKindTests
         Assert.StartsWith("Zd:\t0.1736\t0.9848\t0.0000\r\nbones:\t59\r\n", Encoding.ASCII.GetString(copy.ToArray()), StringComparison.Ordinal);
     }
 
+    [Fact]
+    public void A_byte_order_mark_hides_no_header_line()
+    {
+        byte[] text = CalculationText.Utf8("\uFEFFFrame Rate:\t60\r\n" + CalculationText.Rows(3));
+        CalculationDocument document = CalculationDocument.Parse(text);
+        Assert.Equal((60, 3), (document.FrameRate, document.FrameCount));
+        Assert.Equal(text, CalculationDocumentTests.Write(document));
+        Assert.Equal(new Vector3(0.1736f, 0.9848f, 0), CalculationDocument.Parse(CalculationText.Utf8("\uFEFF" + BoneEnds.Write(2))).InitialDirection);
+    }
+
+    [Fact]
+    public void A_byte_order_mark_hides_no_row()
+    {
+        byte[] text = CalculationText.Utf8("\uFEFF" + CalculationText.Rows(3));
+        CalculationDocument document = CalculationDocument.Parse(text);
+        Assert.Equal(3, document.FrameCount);
+        Assert.Equal(CalculationText.Values(0), document.GetValues(0));
+        Assert.Empty(document.Repairs);
+        Assert.Equal(text, CalculationDocumentTests.Write(document));
+    }
+
+    [Theory]
+    [InlineData("", "")]
+    [InlineData("Frame Rate:\t60\r\n", "")]
+    [InlineData("Frame Rate:\t60\r\nbones:\t59\r\n", "bones:\t59\r\n")]
+    public void A_new_rate_leaves_the_byte_order_mark_in_front(string header, string others)
+    {
+        CalculationTextFormat format = CalculationDocument.Parse(CalculationText.Utf8("\uFEFF" + header + CalculationText.Rows(1))).TextFormat;
+        Assert.Equal("\uFEFF" + others + "Frame Rate:\t120\r\n", Encoding.UTF8.GetString(format.WithFrameRate(120).Header.Span));
+    }
+
     [Theory]
     [InlineData(60)]
     [InlineData(59.94)]
