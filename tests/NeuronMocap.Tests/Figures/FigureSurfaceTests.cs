@@ -71,10 +71,23 @@ public sealed class FigureSurfaceTests
     [Fact]
     public void A_body_of_points_has_a_finite_surface()
     {
-        FigureSurface surface = FigureSurface.Create(new SkeletonBody(new Vector3[BoneHierarchy.BoneCount], new Vector3[BoneHierarchy.BoneCount]));
+        AssertFinite(FigureSurface.Create(new SkeletonBody(new Vector3[BoneHierarchy.BoneCount], new Vector3[BoneHierarchy.BoneCount])));
+    }
 
-        Assert.All(surface.Positions.ToArray(), static position => Assert.True(float.IsFinite(position.Length())));
-        Assert.All(surface.Normals.ToArray(), static normal => Assert.Equal(1, normal.Length(), 1e-5));
+    [Theory]
+    [InlineData(18, 0)]
+    [InlineData(0, 15)]
+    public void A_head_or_a_spine_to_the_side_has_a_finite_surface(float head, float spine)
+    {
+        SkeletonBody body = SkeletonBody.GetDefault();
+        Vector3[] offsets = body.Offsets.ToArray();
+        Vector3[] ends = body.EndSites.ToArray();
+        if (head > 0)
+            ends[(int)Bone.Head] = new Vector3(head, 0, 0);
+        if (spine > 0)
+            offsets[(int)Bone.Spine1] = new Vector3(spine, 0, 0);
+
+        AssertFinite(FigureSurface.Create(new SkeletonBody(offsets, ends)));
     }
 
     [Fact]
@@ -82,6 +95,12 @@ public sealed class FigureSurfaceTests
     {
         Assert.Equal(0xF27630, FigureColors.GetAccent(0));
         Assert.Equal(20, Enumerable.Range(0, 20).Select(FigureColors.GetAccent).Distinct().Count());
+    }
+
+    private static void AssertFinite(FigureSurface surface)
+    {
+        Assert.All(surface.Positions.ToArray(), static position => Assert.True(float.IsFinite(position.Length())));
+        Assert.All(surface.Normals.ToArray(), static normal => Assert.Equal(1, normal.Length(), 1e-5));
     }
 
     private static int[] Corners(FigureSurface surface) => [.. surface.BodyTriangles.ToArray(), .. surface.AccentTriangles.ToArray()];
