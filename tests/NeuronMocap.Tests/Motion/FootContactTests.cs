@@ -85,6 +85,27 @@ public sealed class FootContactTests
         Assert.Equal(new FootContacts(Left: true, Right: true), estimator.Update(new Vector3(0.1f), new Vector3(0.1f), 0.02));
     }
 
+    [Theory]
+    [InlineData(200, false)]
+    [InlineData(0, true)]
+    public void A_frame_without_numbers_changes_no_contact(float speed, bool touches)
+    {
+        var expected = new FootContacts(Left: touches, Right: touches);
+        var track = new FootContactTrack();
+        var live = new FootContactEstimator();
+        for (int i = 0; i < 21; i++)
+        {
+            Vector3 foot = i == 10 ? new Vector3(float.NaN) : new Vector3(speed * i / 100, 2, 0);
+            track.Add(foot, foot, i / 100.0);
+            FootContacts contacts = live.Update(foot, foot, i / 100.0);
+
+            // The first frame has no speed.
+            Assert.Equal(i == 0 ? default : expected, contacts);
+        }
+
+        Assert.All(track.EstimateContacts(), contacts => Assert.Equal(expected, contacts));
+    }
+
     [Fact]
     public void Takes_of_no_and_one_frame_are_accepted()
     {
