@@ -15,8 +15,8 @@ public enum StepOutcome
 
 /// <summary>One step of a diagnosis, between the host's name and the frame rate.</summary>
 /// <param name="Name">
-/// Name of the step: "name", "route", "port", "first bytes", "token", "version", "format" or "rate". If a step fails, also "question", "other ports" and
-/// "UDP" or "TCP", the other possible places of the stream.
+/// Name of the step: "name" or "source", "route", "networks", "port", "buffer", "first bytes", "token", "version", "format" or "rate". If a step fails, also
+/// "question", "other ports" and "UDP" or "TCP", the other possible places of the stream.
 /// </param>
 /// <param name="Outcome">The outcome of the step.</param>
 /// <param name="Detail">The observation, as an English phrase.</param>
