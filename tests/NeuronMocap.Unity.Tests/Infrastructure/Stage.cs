@@ -1,4 +1,5 @@
 using System.Net;
+using System.Net.Sockets;
 using NeuronMocap.Server;
 using NeuronMocap.Skeleton;
 
@@ -35,6 +36,13 @@ internal static class Stage
         var server = new Broadcaster(new BroadcasterOptions { Sources = sources, Port = 0 });
         server.Start();
         return server;
+    }
+
+    /// <summary>A computer that sends over UDP, as far as the receiver can tell.</summary>
+    public static UdpClient SenderFrom(string address)
+    {
+        Assert.SkipUnless(OperatingSystem.IsLinux() || OperatingSystem.IsWindows(), "This system has one loopback address only.");
+        return new UdpClient(new IPEndPoint(IPAddress.Parse(address), 0));
     }
 
     public static bool IsLive(MocapSource source, int performers = 1) =>

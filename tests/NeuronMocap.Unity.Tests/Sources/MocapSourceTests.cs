@@ -241,7 +241,7 @@ public sealed class MocapSourceTests : SourceFixture
     {
         int port = FreePort.Next();
         MocapSource source = Add(source => (source.Transport, source.Port, source.LeaveTimeout, source.IdleTimeout) = (TransportKind.Udp, port, 0, 0.1f));
-        using System.Net.Sockets.UdpClient first = SenderFrom("127.0.0.11"), second = SenderFrom("127.0.0.12");
+        using System.Net.Sockets.UdpClient first = Stage.SenderFrom("127.0.0.11"), second = Stage.SenderFrom("127.0.0.12");
         var to = new IPEndPoint(IPAddress.Loopback, port);
         Performer? found = null;
         Loop.RunUntil(() => Send(first) && source.TryGetPerformer(0, out found) && found.IsLive);
@@ -251,12 +251,6 @@ public sealed class MocapSourceTests : SourceFixture
         Assert.Equal(2, source.Performers.Count);
 
         bool Send(System.Net.Sockets.UdpClient sender) => sender.Send(NeuronMocap.Tests.Network.TestPackets.Motion(1), to) > 0;
-    }
-
-    private static System.Net.Sockets.UdpClient SenderFrom(string address)
-    {
-        Assert.SkipUnless(OperatingSystem.IsLinux() || OperatingSystem.IsWindows(), "This system has one loopback address only.");
-        return new System.Net.Sockets.UdpClient(new IPEndPoint(IPAddress.Parse(address), 0));
     }
 
     [Fact]

@@ -32,7 +32,10 @@ namespace NeuronMocap.Unity
             if (ActiveSource.State != SourceState.Receiving)
                 return ActiveSource.StatusMessage;
 
-            return Performer is null ? DescribeMissing(ActiveSource) : Performer.IsLive ? string.Empty : Idle;
+            if (Performer is null && AssignedSender is null)
+                return DescribeMissing(ActiveSource);
+
+            return Performer is { IsLive: true } ? string.Empty : Idle;
         }
 
         private string DescribeMissing(MocapSource source)

@@ -38,10 +38,24 @@ namespace NeuronMocap.Unity
         [NonSerialized]
         private IdleBlend? _idle;
 
+        // The performer that a spawner has chosen. Its number is not enough, because two computers that send to the same UDP port may use the same one.
+        [NonSerialized]
+        private (MocapSource? Source, int Index, int Sender)? _assigned;
+
         // Whether the figure stands with arms down, instead of keeping its last pose. The way there and back takes the idle blend time.
         internal bool IsStanding { get; set; }
 
         private protected FigureRig? Rig => _rig;
+
+        // Null without an assigned performer, and after its source, the choice or the number was changed.
+        private int? AssignedSender => _assigned is { } assigned && _source == assigned.Source && _performerChoice == PerformerChoice.ByIndex
+            && _performerIndex == assigned.Index ? assigned.Sender : (int?)null;
+
+        internal void Assign(MocapSource? source, Performer performer)
+        {
+            (_source, _performerChoice, _performerIndex) = (source, PerformerChoice.ByIndex, performer.AvatarIndex);
+            _assigned = (source, performer.AvatarIndex, performer.Sender);
+        }
 
         // Captures the figure and its rest pose, or describes the problem.
         private protected abstract FigureRig? CreateRig(out string problem);
@@ -146,6 +160,8 @@ namespace NeuronMocap.Unity
             ActiveSource = FindSource();
             if (ActiveSource == null)
                 return null;
+            if (AssignedSender is { } sender)
+                return ActiveSource.FindPerformer(_performerIndex, sender);
 
             Performer? found;
             return _performerChoice == PerformerChoice.ByName

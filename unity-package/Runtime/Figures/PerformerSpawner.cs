@@ -207,9 +207,7 @@ namespace NeuronMocap.Unity
                 return;
 
             FigureDriver driver = root.GetComponentInChildren<FigureDriver>(true);
-            driver.Source = _source;
-            driver.PerformerChoice = PerformerChoice.ByIndex;
-            driver.PerformerIndex = performer.AvatarIndex;
+            driver.Assign(_source, performer);
             root.name = $"{performer.Name} ({performer.AvatarIndex})";
             root.transform.SetParent(transform, false);
             root.transform.localPosition = GetPosition(place);

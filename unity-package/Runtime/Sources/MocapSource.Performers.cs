@@ -68,6 +68,18 @@ namespace NeuronMocap.Unity
             return performer != null;
         }
 
+        // The performer of one of the computers that send to the port.
+        internal Performer? FindPerformer(int avatarIndex, int sender)
+        {
+            for (int i = 0; i < _performers.Count; i++)
+            {
+                if (_performers[i].AvatarIndex == avatarIndex && _performers[i].Sender == sender)
+                    return _performers[i];
+            }
+
+            return null;
+        }
+
         // Live performers come first: a server that restarted elsewhere replaces its silent predecessor, however long that one stays.
         private static Performer Better(Performer? first, Performer second)
         {
