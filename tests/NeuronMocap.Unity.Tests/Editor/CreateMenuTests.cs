@@ -106,6 +106,7 @@ public sealed partial class CreateMenuTests
         Assert.Same(figure, eye.GetComponent<FollowCamera>().Target);
         Assert.InRange(figure.InverseTransformPoint(eye.position).z, 2, 5);
         Assert.True(Vector3.Angle(eye.forward, figure.position + Vector3.up - eye.position) < 1);
+        Assert.Contains(eye, PrefabUtility.Recorded);
 
         // A second quick start leaves the camera with the first figure.
         ConsoleLog.Clear();

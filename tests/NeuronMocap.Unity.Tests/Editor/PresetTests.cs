@@ -53,7 +53,7 @@ public class PresetTests
     public void A_preset_smooths_all_parts_with_Undo(string preset, float body, float fingers)
     {
         using var world = new EditorWorld();
-        HumanoidDriver driver = HumanoidFigure.Build(SkeletonBody.GetDefault()).Root.AddComponent<HumanoidDriver>();
+        HumanoidDriver driver = AddDriver();
         driver.PartSmoothing.Set(BodyParts.All, new SmoothingAmount(5, 5));
         Action inspector = world.Inspect(driver).OnInspectorGUI;
         ImmediateGui.Draw(inspector);
@@ -76,6 +76,28 @@ public class PresetTests
         Assert.False(driver.Smoothing);
         Assert.Equal(5, driver.PartSmoothing.Get(BodyParts.Hips).MinCutoff);
     }
+
+    // Otherwise Unity forgets the changes of an instance when its scene is saved.
+    [Fact]
+    public void Presets_tell_Unity_what_they_change_in_instances_of_prefabs()
+    {
+        using var world = new EditorWorld();
+        MocapSource[] sources = [world.AddSource(static _ => { }), world.AddSource(static _ => { })];
+        ImmediateGui.Set(world.Inspect(sources).OnInspectorGUI, SourcePresets.Label, "Simulator");
+        Assert.All(sources, static source => Assert.Contains(source, PrefabUtility.Recorded));
+
+        ImmediateGui.Set(world.Inspect(sources).OnInspectorGUI, SourcePresets.Label, "Axis Studio on This Computer (UDP 7012)");
+        Assert.All(sources, static source => Assert.Equal(2, PrefabUtility.Recorded.Count(recorded => recorded == source)));
+
+        HumanoidDriver[] drivers = [AddDriver(), AddDriver()];
+        ImmediateGui.Set(world.Inspect(drivers).OnInspectorGUI, SmoothingPresets.Label, "Medium");
+        Assert.All(drivers, static driver => Assert.Contains(driver, PrefabUtility.Recorded));
+
+        ImmediateGui.Set(world.Inspect(drivers).OnInspectorGUI, SmoothingPresets.Label, "Off");
+        Assert.All(drivers, static driver => Assert.Equal(2, PrefabUtility.Recorded.Count(recorded => recorded == driver)));
+    }
+
+    private static HumanoidDriver AddDriver() => HumanoidFigure.Build(SkeletonBody.GetDefault()).Root.AddComponent<HumanoidDriver>();
 
     private static string Shown(string label) => EditorWorld.Controls.Single(control => control.Kind == "Popup" && control.Label == label).Value;
 }

@@ -44,11 +44,13 @@ namespace NeuronMocap.Unity.EditorTools
             foreach (FigureDriver driver in drivers.Cast<FigureDriver>())
             {
                 driver.Smoothing = Presets[index].Body.HasValue;
-                if (Presets[index].Body is not { } body)
-                    continue;
+                if (Presets[index].Body is { } body)
+                {
+                    driver.PartSmoothing.Set(BodyParts.All, body);
+                    driver.PartSmoothing.Set(BodyParts.Fingers, Presets[index].Fingers!.Value);
+                }
 
-                driver.PartSmoothing.Set(BodyParts.All, body);
-                driver.PartSmoothing.Set(BodyParts.Fingers, Presets[index].Fingers!.Value);
+                PrefabUtility.RecordPrefabInstancePropertyModifications(driver);
             }
         }
 

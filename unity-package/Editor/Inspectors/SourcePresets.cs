@@ -42,10 +42,10 @@ namespace NeuronMocap.Unity.EditorTools
             foreach (MocapSource source in sources)
             {
                 source.Kind = Presets[index].Kind;
-                if (source.Kind != SourceKind.Network)
-                    continue;
+                if (source.Kind == SourceKind.Network)
+                    (source.Transport, source.Address, source.Port) = (Presets[index].Transport, ThisComputer, Presets[index].Port);
 
-                (source.Transport, source.Address, source.Port) = (Presets[index].Transport, ThisComputer, Presets[index].Port);
+                PrefabUtility.RecordPrefabInstancePropertyModifications(source);
             }
         }
 

@@ -62,6 +62,7 @@ namespace NeuronMocap.Unity.EditorTools
             FollowCamera follow = Undo.AddComponent<FollowCamera>(camera.gameObject);
             follow.Target = figure;
             follow.Snap();
+            PrefabUtility.RecordPrefabInstancePropertyModifications(eye);
         }
 
         private static bool Has<T>()

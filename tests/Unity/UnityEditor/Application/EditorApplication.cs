@@ -126,6 +126,7 @@ public class EditorApplication
         SceneManagement.PrefabStage.Forget();
         Undo.ClearAll();
         Selection.Forget();
+        PrefabUtility.Forget();
     }
 
     /// <summary>Runs the code that the editor runs when it starts and after each reload of scripts.</summary>

@@ -5,10 +5,13 @@ namespace UnityEditor;
 
 public static class PrefabUtility
 {
-    /// <summary>Does nothing, because instances keep no list of modifications.</summary>
-    public static void RecordPrefabInstancePropertyModifications(Object targetObject)
-    {
-    }
+    private static readonly List<Object> _recorded = [];
+
+    /// <summary>For tests: the objects whose modifications were recorded, the oldest first.</summary>
+    public static IReadOnlyList<Object> Recorded => _recorded;
+
+    /// <summary>Instances keep no list of modifications. A test sees that Unity would have been told.</summary>
+    public static void RecordPrefabInstancePropertyModifications(Object targetObject) => _recorded.Add(targetObject);
 
     /// <returns>The object of the prefab, or null for one that is in no prefab or was added to an instance.</returns>
     public static T? GetCorrespondingObjectFromSource<T>(T componentOrGameObject)
@@ -34,4 +37,6 @@ public static class PrefabUtility
 
         return asset;
     }
+
+    internal static void Forget() => _recorded.Clear();
 }
