@@ -126,6 +126,22 @@ public sealed class FigureBuilderTests : IDisposable
     }
 
     [Fact]
+    public void A_handler_that_throws_leaves_one_figure()
+    {
+        FigureBuilder builder = AddBuilder(null);
+        _loop.Frame();
+        HumanoidFigure before = builder.Figure!;
+        builder.Built += static _ => throw new InvalidOperationException("built");
+
+        builder.Rebuild();
+        _loop.Frame();
+
+        Assert.NotSame(before, builder.Figure);
+        Assert.Same(builder.Figure!.Root.transform, Assert.Single(builder.transform.Cast<Transform>()));
+        Assert.Equal("built", Assert.Single(ConsoleLog.Entries).Exception!.Message);
+    }
+
+    [Fact]
     public void A_frame_allocates_nothing()
     {
         MocapSource source = Stage.AddSimulator();

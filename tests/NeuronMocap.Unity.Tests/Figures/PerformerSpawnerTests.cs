@@ -3,6 +3,7 @@ using System.Net.Sockets;
 using NeuronMocap.Skeleton;
 using NeuronMocap.Tests.Network;
 using NeuronMocap.Unity.Tests.Infrastructure;
+using UnityEngine.Events;
 
 namespace NeuronMocap.Unity.Tests.Figures;
 
@@ -351,6 +352,51 @@ public sealed class PerformerSpawnerTests : IDisposable
         MocapSource other = Stage.AddSimulator();
         (driver.PerformerChoice, driver.Source) = (PerformerChoice.ByIndex, other);
         _loop.RunUntil(() => Stage.IsLive(other) && driver.Performer == other.Performers[0]);
+    }
+
+    [Theory]
+    [InlineData(true)]
+    [InlineData(false)]
+    public void A_leave_handler_that_throws_keeps_no_figure(bool inInspector)
+    {
+        MocapSource source = Stage.AddSimulator(performers: 3);
+        PerformerSpawner spawner = AddSpawner(source);
+        _loop.RunUntil(() => spawner.Figures.Count == 3);
+        if (inInspector)
+            ((UnityEvent<GameObject>)Measure.Field(spawner, "_onDespawning")!).AddListener(static _ => throw new InvalidOperationException("despawning"));
+        else
+            spawner.Despawning += static _ => throw new InvalidOperationException("despawning");
+
+        spawner.enabled = false;
+        _loop.Frames(2);
+
+        Assert.Empty(spawner.Figures);
+        Assert.Equal(0, spawner.transform.childCount);
+        Assert.Equal(3, ConsoleLog.Entries.Count);
+        Assert.All(ConsoleLog.Entries, entry => Assert.Equal(("despawning", spawner), (entry.Exception!.Message, entry.Context)));
+    }
+
+    [Theory]
+    [InlineData(true)]
+    [InlineData(false)]
+    public void Handlers_that_throw_delay_no_other_figure(bool inInspector)
+    {
+        MocapSource source = Stage.AddSimulator(performers: 3);
+        _loop.RunUntil(() => Stage.IsLive(source, 3));
+        PerformerSpawner spawner = AddSpawner(source);
+        if (inInspector)
+            ((UnityEvent<GameObject>)Measure.Field(spawner, "_onSpawned")!).AddListener(static _ => throw new InvalidOperationException("spawned"));
+        else
+            spawner.Spawned += static _ => throw new InvalidOperationException("spawned");
+
+        spawner.IdleChanged += static _ => throw new InvalidOperationException("idle");
+        _loop.Frame();
+        Assert.Equal(3, spawner.Figures.Count);
+
+        source.Close();
+        _loop.Frame();
+        Assert.All(spawner.Figures, static figure => Assert.True(figure.IsIdle));
+        Assert.Equal(["idle", "idle", "idle", "spawned", "spawned", "spawned"], ConsoleLog.Entries.Select(static entry => entry.Exception!.Message).Order());
     }
 
     private static MocapSource AddUdpSource(out IPEndPoint to)

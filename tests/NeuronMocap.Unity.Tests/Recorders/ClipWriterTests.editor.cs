@@ -61,6 +61,22 @@ public sealed class ClipWriterTests : IDisposable
     }
 
     [Fact]
+    public void A_clip_is_saved_although_a_handler_throws()
+    {
+        MocapSource source = Stage.AddSimulator();
+        ClipRecorder recorder = AddFigure(source);
+        _loop.RunUntil(() => Stage.IsLive(source));
+        recorder.Finished += static _ => throw new InvalidOperationException("finished");
+        Assert.True(recorder.StartRecording());
+        _loop.Frames(3);
+
+        recorder.enabled = false;
+
+        Assert.NotNull(AssetDatabase.LoadAssetAtPath<AnimationClip>(recorder.SavedPath));
+        Assert.Equal("finished", Assert.Single(ConsoleLog.Problems).Exception!.Message);
+    }
+
+    [Fact]
     public void A_generic_clip_restores_every_transform()
     {
         MocapSource source = Stage.AddSimulator();

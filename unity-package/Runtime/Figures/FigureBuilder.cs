@@ -134,7 +134,7 @@ namespace NeuronMocap.Unity
             _builtAt = Time.unscaledTime;
             SetLayer(figure.Root.transform, gameObject.layer);
             Driver.Animator = figure.Animator;
-            Built?.Invoke(figure);
+            Handlers.Raise(Built, figure, this);
             before?.Dispose();
         }
 

@@ -218,8 +218,8 @@ namespace NeuronMocap.Unity
 
             var figure = new SpawnedFigure(root, driver, performer, place);
             _figures.Add(figure);
-            Spawned?.Invoke(figure);
-            _onSpawned.Invoke(root);
+            Handlers.Raise(Spawned, figure, this);
+            Handlers.Raise(_onSpawned, root, this);
         }
 
         // Inactive until everything is set. Otherwise the driver would look for a source of its own.
@@ -262,7 +262,7 @@ namespace NeuronMocap.Unity
             }
 
             if (figure.Update(figure.Performer.IsLive && IsPresent(figure.Performer), _idlePose, _blendSeconds, FrameTime.Delta))
-                IdleChanged?.Invoke(figure);
+                Handlers.Raise(IdleChanged, figure, this);
 
             if (_despawnSeconds > 0 && figure.IdleSeconds >= _despawnSeconds)
                 Despawn(figure);
@@ -273,8 +273,8 @@ namespace NeuronMocap.Unity
             if (!_figures.Remove(figure) || figure.IsDestroyed)
                 return;
 
-            Despawning?.Invoke(figure);
-            _onDespawning.Invoke(figure.Root);
+            Handlers.Raise(Despawning, figure, this);
+            Handlers.Raise(_onDespawning, figure.Root, this);
             Disposal.Destroy(figure.Root);
         }
 

@@ -118,7 +118,7 @@ namespace NeuronMocap.Unity
 
             _sampler.Dispose();
             _sampler = null;
-            Finished?.Invoke(Take!);
+            Handlers.Raise(Finished, Take!, this);
             Save(Take!);
         }
 

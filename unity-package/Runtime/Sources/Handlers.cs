@@ -2,6 +2,7 @@
 
 using System;
 using UnityEngine;
+using UnityEngine.Events;
 
 namespace NeuronMocap.Unity
 {
@@ -24,6 +25,19 @@ namespace NeuronMocap.Unity
                 {
                     Debug.LogException(exception, context);
                 }
+            }
+        }
+
+        // The handlers that are set in the inspector. Unity calls none after one that throws.
+        public static void Raise<T>(UnityEvent<T> handlers, T value, UnityEngine.Object context)
+        {
+            try
+            {
+                handlers.Invoke(value);
+            }
+            catch (Exception exception)
+            {
+                Debug.LogException(exception, context);
             }
         }
     }
