@@ -1,6 +1,7 @@
 using NeuronMocap.Diagnostics;
 using NeuronMocap.Tests.Network;
 using NeuronMocap.Unity.EditorTools;
+using UnityEditor;
 
 namespace NeuronMocap.Unity.Tests.Editor;
 
@@ -109,13 +110,21 @@ public class DiagnosisTests
         Assert.Contains("Host is empty", EditorWorld.Controls.Last(static control => control.Kind == "HelpBox").Label, StringComparison.Ordinal);
     }
 
-    [Fact]
-    public async Task A_source_releases_its_UDP_port_during_the_diagnosis()
+    // In edit mode, a preview has opened it.
+    [Theory]
+    [InlineData(true)]
+    [InlineData(false)]
+    public async Task A_source_releases_its_UDP_port_during_the_diagnosis(bool play)
     {
-        using var world = new EditorWorld(play: true);
+        using var world = new EditorWorld(play);
         int port = FreePort.Next();
         MocapSource source = world.AddSource(source => (source.Transport, source.Port) = (TransportKind.Udp, port));
-        world.Loop.RunUntil(() => source.State == SourceState.Connected);
+        LivePreview.Start(source);
+        world.Loop.RunUntil(() =>
+        {
+            EditorApplication.Tick(0.01);
+            return source.State == SourceState.Connected;
+        });
         var inspector = (MocapSourceEditor)world.Inspect(source);
 
         ImmediateGui.Click(inspector.OnInspectorGUI, DiagnosisPanel.Ask);
@@ -126,6 +135,25 @@ public class DiagnosisTests
 
         Assert.Equal(DiagnosisVerdict.Silent, inspector.Diagnosis.Job.Result?.Verdict);
         Assert.True(source.IsOpen);
+        LivePreview.StopAll();
+    }
+
+    [Fact]
+    public async Task A_preview_that_ended_during_the_diagnosis_does_not_go_on()
+    {
+        using var world = new EditorWorld();
+        int port = FreePort.Next();
+        MocapSource source = world.AddSource(source => (source.Transport, source.Port) = (TransportKind.Udp, port));
+        LivePreview.Start(source);
+        var inspector = (MocapSourceEditor)world.Inspect(source);
+
+        ImmediateGui.Click(inspector.OnInspectorGUI, DiagnosisPanel.Ask);
+        LivePreview.StopAll();
+        await inspector.Diagnosis.Job!.Completion.Soon();
+        MainThread.Claim();
+        ImmediateGui.Draw(inspector.OnInspectorGUI);
+
+        Assert.False(source.IsOpen);
     }
 
     // Clicks, waits like the editor, and draws the answer.

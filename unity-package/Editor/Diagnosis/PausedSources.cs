@@ -2,7 +2,6 @@
 
 using System;
 using System.Linq;
-using UnityEngine;
 
 namespace NeuronMocap.Unity.EditorTools
 {
@@ -25,7 +24,8 @@ namespace NeuronMocap.Unity.EditorTools
 
         public void Dispose()
         {
-            foreach (MocapSource source in _sources.Where(source => source != null && source.isActiveAndEnabled && Application.isPlaying))
+            // In edit mode, only sources with a preview are in the list.
+            foreach (MocapSource source in _sources.Where(source => source != null && source.isActiveAndEnabled && MocapSource.All.Contains(source)))
                 source.Open();
         }
     }
