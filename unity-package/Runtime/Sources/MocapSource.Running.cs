@@ -48,7 +48,8 @@ namespace NeuronMocap.Unity
 
         /// <summary>
         /// Gets the reader behind the source, for features that the component does not offer: statistics, recording, commands. Other sources with
-        /// equal settings share it, so do not dispose it. Null while the source is closed, and while a file is read.
+        /// equal settings share it, so do not dispose it. Null while the source is closed, while a file is read, and until a UDP port is free that a source
+        /// has just closed.
         /// </summary>
         public NeuronReader? Reader => _connection?.Reader;
 
@@ -186,7 +187,11 @@ namespace NeuronMocap.Unity
         {
             if (connection.Reader is not { } reader)
             {
-                Report(connection.Fault is null ? SourceState.Loading : SourceState.Failed, connection.Fault ?? StatusText.Loading);
+                if (connection.Fault is { } fault)
+                    Report(SourceState.Failed, fault);
+                else
+                    Report(connection.Settings.IsFile ? SourceState.Loading : SourceState.Connecting, StatusText.OfOpening(connection.Settings));
+
                 return;
             }
 

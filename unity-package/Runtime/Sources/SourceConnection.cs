@@ -21,15 +21,15 @@ namespace NeuronMocap.Unity
         private string? _fault;
         private bool _isClosed;
 
-        // Main thread.
-        public SourceConnection(SourceSettings settings)
+        // Main thread. after: a task that must end before the connection opens, such as the closing of another one's socket.
+        public SourceConnection(SourceSettings settings, Task after)
         {
             Settings = settings;
             _game = settings.IsFile ? new GameClock() : null;
 
             // Only the main thread may use Unity's objects.
             byte[]? bytes = settings.Asset != null ? settings.Asset.bytes : null;
-            _opening = settings.Kind is SourceKind.Network or SourceKind.Simulator ? OpenAsync(bytes: null) : Task.Run(() => OpenAsync(bytes));
+            _opening = settings.Kind is SourceKind.Network or SourceKind.Simulator ? OpenAsync(bytes: null, after) : Task.Run(() => OpenAsync(bytes, after));
         }
 
         public SourceSettings Settings { get; }
@@ -99,10 +99,12 @@ namespace NeuronMocap.Unity
                 _broadcaster?.DisposeAsync().AsTask() ?? Task.CompletedTask);
         }
 
-        private async Task OpenAsync(byte[]? bytes)
+        private async Task OpenAsync(byte[]? bytes, Task after)
         {
             try
             {
+                // Whether it succeeded or failed.
+                await Task.WhenAny(after).ConfigureAwait(false);
                 (Broadcaster? broadcaster, RecordingPlayer? player) = CreateFeed(bytes);
                 if (!TryReceive(broadcaster, player))
                     await StopAsync().ConfigureAwait(false);
@@ -123,7 +125,7 @@ namespace NeuronMocap.Unity
             _ => (null, null),
         };
 
-        // False if the source closed while a file was read. Nothing would stop what starts now.
+        // False if the source closed while it waited or a file was read. Nothing would stop what starts now.
         private bool TryReceive(Broadcaster? broadcaster, RecordingPlayer? player)
         {
             lock (_gate)

@@ -2,6 +2,7 @@
 
 using System;
 using System.Collections.Generic;
+using System.Linq;
 using System.Threading.Tasks;
 using UnityEngine;
 
@@ -14,7 +15,7 @@ namespace NeuronMocap.Unity
         private static readonly TimeSpan CloseTimeout = TimeSpan.FromMilliseconds(100);
 
         private static readonly Dictionary<SourceSettings, SourceConnection> Open = new Dictionary<SourceSettings, SourceConnection>();
-        private static readonly List<Task> Closing = new List<Task>();
+        private static readonly List<(SourceSettings Settings, Task End)> Closing = new List<(SourceSettings Settings, Task End)>();
 
         // The number of open connections.
         public static int Count => Open.Count;
@@ -24,8 +25,8 @@ namespace NeuronMocap.Unity
         {
             get
             {
-                Closing.RemoveAll(task => task.IsCompleted);
-                return Task.WhenAll(Closing);
+                ForgetClosed();
+                return Task.WhenAll(Closing.Select(closing => closing.End));
             }
         }
 
@@ -33,7 +34,7 @@ namespace NeuronMocap.Unity
         {
             if (!Open.TryGetValue(settings, out SourceConnection? connection))
             {
-                connection = new SourceConnection(settings);
+                connection = new SourceConnection(settings, settings.IsUdp ? FreeUdpPorts() : Task.CompletedTask);
                 Open.Add(settings, connection);
             }
 
@@ -50,8 +51,19 @@ namespace NeuronMocap.Unity
             if (Open.TryGetValue(connection.Settings, out SourceConnection? open) && open == connection)
                 Open.Remove(connection.Settings);
 
-            Closing.RemoveAll(task => task.IsCompleted);
-            Closing.Add(connection.Close());
+            ForgetClosed();
+            Close(connection);
+        }
+
+        private static void Close(SourceConnection connection) => Closing.Add((connection.Settings, connection.Close()));
+
+        private static void ForgetClosed() => Closing.RemoveAll(closing => closing.End.IsCompleted);
+
+        // Only one socket can hold a UDP port. Files may take longer to close, and are not waited for.
+        private static Task FreeUdpPorts()
+        {
+            ForgetClosed();
+            return Task.WhenAll(Closing.Where(closing => closing.Settings.IsUdp).Select(closing => closing.End));
         }
 
         // Without a domain reload, statics keep their values when play mode is entered again.
@@ -67,7 +79,7 @@ namespace NeuronMocap.Unity
         private static void CloseAll()
         {
             foreach (SourceConnection connection in Open.Values)
-                Closing.Add(connection.Close());
+                Close(connection);
 
             Open.Clear();
             try

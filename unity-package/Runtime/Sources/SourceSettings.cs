@@ -48,6 +48,8 @@ namespace NeuronMocap.Unity
 
         public bool IsFile => Kind is SourceKind.BvhFile or SourceKind.Recording;
 
+        public bool IsUdp => Kind == SourceKind.Network && Transport == TransportKind.Udp;
+
         // The name used in messages.
         public string Target => Kind switch
         {

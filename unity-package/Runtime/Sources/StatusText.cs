@@ -9,8 +9,6 @@ namespace NeuronMocap.Unity
     {
         public const string Closed = "Closed. Enable the component, or call Open.";
 
-        public const string Loading = "Reading the file.";
-
         public const string Browser =
             "A web browser provides neither sockets nor threads, so nothing can be received in a WebGL build. Build for desktop or mobile, or relay the "
             + "motion to the page: see the page on platforms in the package's documentation.";
@@ -26,6 +24,9 @@ namespace NeuronMocap.Unity
             ("Host is empty", "Address is empty"),
             ("ConnectTimeout", "connect timeout"),
         };
+
+        // Before there is a reader. For the network, as the library says it.
+        public static string OfOpening(SourceSettings settings) => settings.IsFile ? "Reading the file." : $"Connecting to {settings.Target}.";
 
         public static string Of(SourceConnection connection, in ConnectionStatus status)
         {
