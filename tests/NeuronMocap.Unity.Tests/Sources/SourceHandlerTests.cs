@@ -107,6 +107,43 @@ public sealed class SourceHandlerTests : SourceFixture
         Assert.Empty(ConsoleLog.Entries);
     }
 
+    // The other source keeps the connection, so the reopened source gets the same one.
+    [Fact]
+    public void A_leave_handler_may_reopen_a_source_that_shares_its_connection()
+    {
+        Broadcaster server = Serve(new SyntheticSource(), new SyntheticSource(avatarIndex: 1));
+        MocapSource[] sources = [AddShort(), AddShort()];
+        foreach (MocapSource source in sources)
+        {
+            WaitForPose(source, 0);
+            WaitForPose(source, 1);
+        }
+
+        Performer[] performers = [.. sources[0].Performers];
+        server.Dispose();
+        bool isDone = false;
+        sources[0].PerformerLeft += _ =>
+        {
+            if (isDone)
+                return;
+
+            isDone = true;
+            sources[0].Close();
+            sources[0].Open();
+        };
+
+        // The game renders no frame until both are gone, so they leave in the same frame.
+        Assert.True(SpinWait.SpinUntil(() => performers.All(performer => SourceClock.Now - performer.Stream.LastArrival > SourceClock.ToTicks(0.2)), Limits.Unexpected));
+        Loop.Frames(3);
+
+        Assert.True(isDone);
+        Assert.Same(sources[1].Reader, sources[0].Reader);
+        Assert.All(sources, static source => Assert.Empty(source.Performers));
+        Assert.Empty(ConsoleLog.Entries);
+
+        MocapSource AddShort() => Add(server, source => (source.Reconnect, source.IdleTimeout, source.LeaveTimeout) = (false, 0.1f, 0.1f));
+    }
+
     [Theory]
     [InlineData(SourceKind.Network)]
     [InlineData(SourceKind.BvhFile)]

@@ -7,6 +7,7 @@ using System.Diagnostics.CodeAnalysis;
 namespace NeuronMocap.Unity
 {
     // The performers in the stream. Handlers may close or reopen the source, so each loop stops when its connection is no longer current.
+    // A source that shares its connection gets the same one again.
     public sealed partial class MocapSource
     {
         private readonly List<Performer> _performers = new List<Performer>();
@@ -101,7 +102,7 @@ namespace NeuronMocap.Unity
 
             var sampling = new SamplingSettings(_resample, _delay, _interpolation);
             StagePlacement placement = GetPlacement();
-            for (int i = _performers.Count - 1; i >= 0 && _connection == connection; i--)
+            for (int i = _performers.Count - 1; i >= 0 && i < _performers.Count && _connection == connection; i--)
             {
                 _performers[i].Update(now, _idleTimeout, sampling, placement);
                 if (IsGone(_performers[i].Stream, now))
