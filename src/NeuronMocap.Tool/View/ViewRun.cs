@@ -2,7 +2,6 @@ using System.Net;
 using System.Reflection;
 using NeuronMocap.Server;
 using NeuronMocap.Tool.Arguments;
-using NeuronMocap.Tool.Files;
 using NeuronMocap.Tool.Simulate;
 using NeuronMocap.Tool.Terminal;
 using NeuronMocap.Tool.View.Actions;
@@ -102,8 +101,9 @@ internal sealed class ViewRun(ViewOptions options, StandardStreams streams)
         catch (Exception exception) when (exception is IOException or UnauthorizedAccessException)
         {
             string variable = OperatingSystem.IsWindows() ? "TMP" : "TMPDIR";
-            string reason = FileFault.IsDiskFull(exception) ? "its disk is full" : "it does not exist, or this user may not write there";
-            throw ApiException.Conflict($"the folder for temporary files, '{Path.GetTempPath()}', cannot be used: {reason}. Set {variable} to another folder.");
+            throw ApiException.Conflict(
+                $"the folder for temporary files, '{Path.GetTempPath()}', cannot be used: it does not exist, its disk is full, or this user may not write there. "
+                + $"Set {variable} to another folder.");
         }
     }
 
