@@ -118,13 +118,14 @@ public sealed partial class Broadcaster
     // A session notices that its client has left when it sends the next frame. While a relay gets no frames, such sessions would fill the port.
     private bool HasRoom(BroadcastStream stream)
     {
-        List<ClientSession> clients = ClientsOf(stream);
+        List<ClientSession> clients = ClientsOf(stream).FindAll(static client => !client.IsDisposed);
         if (clients.Count < _options.MaxClients)
             return true;
 
-        List<ClientSession> left = clients.FindAll(static client => client.IsLeft);
-        left.ForEach(static client => client.Leave());
-        return clients.Count - left.Count < _options.MaxClients;
+        // One place is enough. A client that has only closed its sending side may still read.
+        ClientSession? left = clients.Find(static client => client.IsLeft);
+        left?.Leave();
+        return left is not null;
     }
 
     private void OnAccepted(BroadcastStream stream, Socket socket)

@@ -161,7 +161,7 @@ public sealed class BroadcasterReaderDirectTests
         }
 
         using TestClient client = await TestClient.ConnectAsync(broadcaster.LocalEndPoint, allowsCutEnd: true);
-        await Limits.UntilAsync(() => broadcaster.GetStatistics() is { Accepted: 3, Clients: 1 });
+        await Limits.UntilAsync(() => broadcaster.GetStatistics() is { Accepted: 3, Clients: <= 2 });
         Assert.Equal(0, broadcaster.GetStatistics().Refused);
         reader.Tap.Open(isDatagrams: false, local: null, remote: null, 0);
         reader.Tap.OnBytes(0, [], TestPackets.Motion(0), 1);

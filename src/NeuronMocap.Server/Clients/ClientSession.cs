@@ -64,7 +64,10 @@ internal sealed partial class ClientSession : NetworkRecipient
     }
 
     // Whether the client has closed its side. It may still read: a client that asks nothing can close its sending side.
-    public bool IsLeft => _isDisposed || _transport.IsLeft;
+    public bool IsLeft => _transport.IsLeft;
+
+    // Whether the session is about to end.
+    public bool IsDisposed => _isDisposed;
 
     // Thread-safe. Ends the session, also while its thread waits for a frame.
     public void Leave()

@@ -44,7 +44,8 @@ internal sealed class SocketTransport : ClientTransport
         {
             try
             {
-                return _socket.Poll(0, SelectMode.SelectRead) && _socket.Available == 0;
+                // Another thread may take received bytes between the two calls. An end stays.
+                return HasEnd() && HasEnd();
             }
             catch (Exception exception) when (SocketErrors.IsExpected(exception))
             {
@@ -52,6 +53,8 @@ internal sealed class SocketTransport : ClientTransport
             }
         }
     }
+
+    private bool HasEnd() => _socket.Poll(0, SelectMode.SelectRead) && _socket.Available == 0;
 
     public override bool TryStopWaiting()
     {

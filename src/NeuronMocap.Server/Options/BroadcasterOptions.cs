@@ -88,7 +88,10 @@ public sealed partial class BroadcasterOptions
     /// <remarks>With the default, nothing leaves the computer.</remarks>
     public IPAddress BindAddress { get; set; } = IPAddress.Loopback;
 
-    /// <summary>Maximum number of simultaneous TCP clients on each port, 1 to 4096. Further clients are refused and counted. Default: 256.</summary>
+    /// <summary>
+    /// Maximum number of simultaneous TCP clients on each port, 1 to 4096. When a port is full, a new client replaces one that has closed its sending side;
+    /// without such a client, it is refused and counted. Default: 256.
+    /// </summary>
     public int MaxClients { get; set; } = 256;
 
     /// <summary>
