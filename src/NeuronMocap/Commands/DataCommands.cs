@@ -198,15 +198,19 @@ public sealed class DataCommands
         ReplyWaiters.Waiter waiter = _waiters.Add(reply => reply.Id == id && (reply.AvatarIndex ?? avatarIndex) == avatarIndex);
         try
         {
+            // Before it is sent: the end of the connection, on another thread, resets this.
+            if (turns is not null)
+                turns.HasLateReply = true;
+
             if (!TryRequest(id, avatarIndex))
             {
+                if (turns is not null)
+                    turns.HasLateReply = false;
+
                 throw new NeuronCommandException(
                     CommandFailure.NotConnected,
                     "The command could not be sent, because the reader is not connected over TCP. Start the reader and wait for its connection.");
             }
-
-            if (turns is not null)
-                turns.HasLateReply = true;
 
             using var timeoutSource = CancellationTokenSource.CreateLinkedTokenSource(cancellationToken);
             timeoutSource.CancelAfter(Timeout);
