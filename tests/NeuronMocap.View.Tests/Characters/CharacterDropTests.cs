@@ -73,6 +73,28 @@ public sealed class CharacterDropTests(SharedBrowser browser, CharacterSamples s
     }
 
     [Fact]
+    public async Task A_character_that_changes_its_performer_moves_no_other()
+    {
+        await using Broadcaster broadcaster = Broadcaster.StartDemo(2);
+        await using RunningView view = await RunningView.StartAsync(broadcaster.LocalEndPoint!.ToString());
+        await using TestPage page = await TestPage.OpenAsync(browser, view.Link);
+        await page.UntilMovingAsync(2);
+        await page.DropAsync(("boxes-1.vrm", await samples.ReadAsync("boxes-1.vrm")), ("boxes-mixamo.glb", await samples.ReadAsync("boxes-mixamo.glb")));
+        await page.UntilAsync(AreApart, 2);
+        string other = (await page.StateAsync()).GetProperty("characters")[1].GetProperty("performer").GetString()!;
+        await page.EvaluateAsync("""
+            other => {
+              const choice = document.querySelector("[data-id='performer 0']");
+              choice.value = other;
+              choice.dispatchEvent(new Event("change"));
+            }
+            """, other);
+        await page.UntilAsync("other => window.neuronMocap.state().characters.every(each => each.performer === other && each.isShown)", other);
+        await page.UntilAsync(AreApart, 1);
+        page.AssertClean();
+    }
+
+    [Fact]
     public async Task A_page_that_lacks_a_script_because_the_program_is_newer_says_so()
     {
         await using RunningView view = await RunningView.StartAsync("demo");

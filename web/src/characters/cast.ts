@@ -129,14 +129,16 @@ export class Cast {
     }
   }
 
-  // Whoever follows somebody that has left follows somebody else. Performers come one at a time, so a character that shares one goes to the next that comes.
+  // A character whose performer has left follows another one. Performers come one at a time, so a character that shares its performer moves to the next one
+  // that joins.
   private _performerFor(character: Character): string {
     const { performers } = this._page;
     const { performer, chosen } = character;
     if (performers.get(chosen))
       return chosen;
 
-    const followers = this.all.filter(each => each.performer === performer);
+    // Of several, the one that stands nearest to the performer's own place stays.
+    const followers = this.all.filter(each => each.performer === performer).sort((a, b) => a.place - b.place);
     if (performers.get(performer) && followers[0] === character)
       return performer;
 

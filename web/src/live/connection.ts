@@ -8,6 +8,8 @@ export type ConnectionState = "connecting" | "open" | "gone" | "denied" | "hidde
 const FirstWait = 250;
 const LongestWait = 3000;
 const PingEvery = 2000;
+// A network that vanished gives neither an answer nor an error.
+const LongestAnswer = 10_000;
 // About 15 s. The program tells its state every second, but a busy computer may need a while.
 const MostUnanswered = 7;
 
@@ -79,7 +81,7 @@ export class Connection {
 
     // After a failure. A WebSocket does not say why it was refused; this request does.
     try {
-      await this._api.get<Hello>("hello");
+      await this._api.get<Hello>("hello", AbortSignal.timeout(LongestAnswer));
       if (attempt === this._attempt)
         this._open();
     } catch (error) {
