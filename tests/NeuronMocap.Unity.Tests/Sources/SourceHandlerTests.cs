@@ -113,12 +113,7 @@ public sealed class SourceHandlerTests : SourceFixture
     {
         Broadcaster server = Serve(new SyntheticSource(), new SyntheticSource(avatarIndex: 1));
         MocapSource[] sources = [AddShort(), AddShort()];
-        foreach (MocapSource source in sources)
-        {
-            WaitForPose(source, 0);
-            WaitForPose(source, 1);
-        }
-
+        Loop.RunUntil(() => sources.All(static source => source.Performers.Count == 2 && source.Performers.All(static performer => performer.HasPose)));
         Performer[] performers = [.. sources[0].Performers];
         server.Dispose();
         bool isDone = false;
