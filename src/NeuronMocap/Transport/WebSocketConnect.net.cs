@@ -8,7 +8,7 @@ internal static class WebSocketConnect
     // The client of a WebSocket leaves its TCP connection without keep-alive, so it would notice a dead server after a quarter of an hour.
     public static async Task ConnectAsync(ClientWebSocket socket, Uri address, CancellationToken cancellationToken)
     {
-        // To dispose it does not close the connection that the socket has taken over.
+        // Disposing the invoker does not close the connection, which then belongs to the socket.
         using var invoker = new HttpMessageInvoker(new SocketsHttpHandler { ConnectCallback = OpenAsync });
         await socket.ConnectAsync(address, invoker, cancellationToken).ConfigureAwait(false);
     }

@@ -48,8 +48,8 @@ namespace NeuronMocap.Unity
 
         /// <summary>
         /// Gets the reader behind the source, for features that the component does not offer: statistics, recording, commands. Other sources with
-        /// equal settings share it, so do not dispose it. Null while the source is closed, while a file is read, and until a UDP port is free that a source
-        /// has just closed.
+        /// equal settings share it, so do not dispose it. Null while the source is closed, while a file is read, and while a UDP source waits
+        /// for a port that was just closed.
         /// </summary>
         public NeuronReader? Reader => _connection?.Reader;
 
