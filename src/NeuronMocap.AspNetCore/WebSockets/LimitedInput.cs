@@ -86,6 +86,7 @@ internal sealed class LimitedInput : IDisposable
     private sealed class InputStream(Stream inner, LimitedInput input) : Stream
     {
         private const string OnlyAsynchronous = "The connection reads and writes only asynchronously.";
+        private const string NoPosition = "A connection has no length and no position.";
 
         public override bool CanRead => true;
 
@@ -93,12 +94,12 @@ internal sealed class LimitedInput : IDisposable
 
         public override bool CanWrite => true;
 
-        public override long Length => throw new NotSupportedException();
+        public override long Length => throw new NotSupportedException(NoPosition);
 
         public override long Position
         {
-            get => throw new NotSupportedException();
-            set => throw new NotSupportedException();
+            get => throw new NotSupportedException(NoPosition);
+            set => throw new NotSupportedException(NoPosition);
         }
 
         public override ValueTask<int> ReadAsync(Memory<byte> buffer, CancellationToken cancellationToken = default) => input.ReadAsync(inner, buffer, cancellationToken);
@@ -113,9 +114,9 @@ internal sealed class LimitedInput : IDisposable
 
         public override void Flush() => throw new NotSupportedException(OnlyAsynchronous);
 
-        public override long Seek(long offset, SeekOrigin origin) => throw new NotSupportedException();
+        public override long Seek(long offset, SeekOrigin origin) => throw new NotSupportedException(NoPosition);
 
-        public override void SetLength(long value) => throw new NotSupportedException();
+        public override void SetLength(long value) => throw new NotSupportedException(NoPosition);
 
         protected override void Dispose(bool disposing)
         {

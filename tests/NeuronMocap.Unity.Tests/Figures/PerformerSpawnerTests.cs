@@ -1,7 +1,4 @@
-using System.Net;
-using System.Net.Sockets;
 using NeuronMocap.Skeleton;
-using NeuronMocap.Tests.Network;
 using NeuronMocap.Unity.Tests.Infrastructure;
 using UnityEngine.Events;
 
@@ -17,7 +14,7 @@ public sealed class PerformerSpawnerTests : IDisposable
     public void Every_performer_gets_a_figure_that_moves_like_it()
     {
         MocapSource source = Stage.AddSimulator(performers: 3);
-        PerformerSpawner spawner = AddSpawner(source);
+        PerformerSpawner spawner = Stage.AddSpawner(source);
         var spawned = new List<SpawnedFigure>();
         spawner.Spawned += spawned.Add;
 
@@ -38,7 +35,7 @@ public sealed class PerformerSpawnerTests : IDisposable
     public void Figures_rest_return_and_leave_with_their_data()
     {
         MocapSource source = Stage.AddSimulator(performers: 2);
-        PerformerSpawner spawner = AddSpawner(source);
+        PerformerSpawner spawner = Stage.AddSpawner(source);
         spawner.BlendSeconds = 0.2f;
         spawner.DespawnSeconds = 0;
         var despawning = new List<SpawnedFigure>();
@@ -80,7 +77,7 @@ public sealed class PerformerSpawnerTests : IDisposable
     public void Figures_rest_and_leave_in_the_time_of_a_captured_film()
     {
         MocapSource source = Stage.AddSimulator();
-        PerformerSpawner spawner = AddSpawner(source);
+        PerformerSpawner spawner = Stage.AddSpawner(source);
         spawner.BlendSeconds = 5;
         spawner.DespawnSeconds = 18;
         _loop.RunUntil(() => spawner.Figures.Count == 1 && spawner.Figures[0].Driver.IsDriving);
@@ -100,7 +97,7 @@ public sealed class PerformerSpawnerTests : IDisposable
     public void A_figure_that_was_idle_still_mixes_with_its_rest_pose()
     {
         MocapSource source = Stage.AddSimulator();
-        PerformerSpawner spawner = AddSpawner(source);
+        PerformerSpawner spawner = Stage.AddSpawner(source);
         spawner.BlendSeconds = 0.2f;
         spawner.DespawnSeconds = 0;
         _loop.RunUntil(() => spawner.Figures.Count == 1 && spawner.Figures[0].Driver.IsDriving);
@@ -122,7 +119,7 @@ public sealed class PerformerSpawnerTests : IDisposable
     public void Hidden_figures_come_back()
     {
         MocapSource source = Stage.AddSimulator();
-        PerformerSpawner spawner = AddSpawner(source);
+        PerformerSpawner spawner = Stage.AddSpawner(source);
         spawner.IdlePose = IdlePose.Hide;
         spawner.DespawnSeconds = 0;
         _loop.RunUntil(() => spawner.Figures.Count == 1);
@@ -139,7 +136,7 @@ public sealed class PerformerSpawnerTests : IDisposable
     public void The_limit_of_figures_is_kept()
     {
         MocapSource source = Stage.AddSimulator(performers: 3);
-        PerformerSpawner spawner = AddSpawner(source);
+        PerformerSpawner spawner = Stage.AddSpawner(source);
         spawner.MaxFigures = 2;
         _loop.RunUntil(() => Stage.IsLive(source, 3));
         _loop.Frames(3);
@@ -160,7 +157,7 @@ public sealed class PerformerSpawnerTests : IDisposable
     public void Figures_are_placed_as_configured(FigurePlacement placement, float secondX, float secondZ, float thirdX, float thirdZ)
     {
         MocapSource source = Stage.AddSimulator(performers: 3);
-        PerformerSpawner spawner = AddSpawner(source);
+        PerformerSpawner spawner = Stage.AddSpawner(source);
         spawner.Placement = placement;
         spawner.Spacing = 2;
         spawner.Columns = 2;
@@ -175,7 +172,7 @@ public sealed class PerformerSpawnerTests : IDisposable
     {
         GameObject prefab = HumanoidFigure.Build(SkeletonBody.GetDefault()).Root;
         MocapSource source = Stage.AddSimulator();
-        PerformerSpawner spawner = AddSpawner(source);
+        PerformerSpawner spawner = Stage.AddSpawner(source);
         spawner.Prefab = prefab;
 
         _loop.RunUntil(() => spawner.Figures.Count == 1 && spawner.Figures[0].Driver.IsDriving);
@@ -189,7 +186,7 @@ public sealed class PerformerSpawnerTests : IDisposable
     {
         GameObject prefab = _loop.CreatePrefab("Box");
         MocapSource source = Stage.AddSimulator();
-        PerformerSpawner spawner = AddSpawner(source);
+        PerformerSpawner spawner = Stage.AddSpawner(source);
         spawner.Prefab = prefab;
         _loop.RunUntil(() => Stage.IsLive(source));
         _loop.Frames(3);
@@ -208,7 +205,7 @@ public sealed class PerformerSpawnerTests : IDisposable
         MocapSource source = Stage.AddSimulator(performers: 2);
         _loop.RunUntil(() => Stage.IsLive(source, 2));
         int before = Measure.LiveObjects;
-        PerformerSpawner spawner = AddSpawner(source);
+        PerformerSpawner spawner = Stage.AddSpawner(source);
         _loop.RunUntil(() => spawner.Figures.Count == 2);
 
         Object.Destroy(spawner.gameObject);
@@ -221,7 +218,7 @@ public sealed class PerformerSpawnerTests : IDisposable
     public void A_frame_allocates_nothing()
     {
         MocapSource source = Stage.AddSimulator(performers: 2);
-        PerformerSpawner spawner = AddSpawner(source);
+        PerformerSpawner spawner = Stage.AddSpawner(source);
         _loop.RunUntil(() => spawner.Figures.Count == 2 && Stage.IsLive(source, 2));
 
         Assert.Equal(0, Measure.BytesPerFrame(_loop, spawner, "Update"));
@@ -237,7 +234,7 @@ public sealed class PerformerSpawnerTests : IDisposable
     public void Figures_rest_and_leave_in_a_paused_game()
     {
         MocapSource source = Stage.AddSimulator(performers: 2);
-        PerformerSpawner spawner = AddSpawner(source);
+        PerformerSpawner spawner = Stage.AddSpawner(source);
         spawner.DespawnSeconds = 0.5f;
         _loop.RunUntil(() => spawner.Figures.Count == 2);
         Time.timeScale = 0;
@@ -252,7 +249,7 @@ public sealed class PerformerSpawnerTests : IDisposable
     {
         MocapSource source = Stage.AddSimulator(performers: 3);
         _loop.RunUntil(() => Stage.IsLive(source, 3));
-        PerformerSpawner spawner = AddSpawner(source);
+        PerformerSpawner spawner = Stage.AddSpawner(source);
         spawner.Spawned += _ => spawner.enabled = false;
         _loop.RunUntil(() => !spawner.enabled);
         _loop.Frames(3);
@@ -268,7 +265,7 @@ public sealed class PerformerSpawnerTests : IDisposable
     public void A_leave_handler_may_disable_the_spawner(bool whenIdle)
     {
         MocapSource source = Stage.AddSimulator(performers: 3);
-        PerformerSpawner spawner = AddSpawner(source);
+        PerformerSpawner spawner = Stage.AddSpawner(source);
         _loop.RunUntil(() => spawner.Figures.Count == 3);
         spawner.DespawnSeconds = 0.2f;
         if (whenIdle)
@@ -288,7 +285,7 @@ public sealed class PerformerSpawnerTests : IDisposable
     public void A_valid_prefab_clears_the_problem()
     {
         MocapSource source = Stage.AddSimulator();
-        PerformerSpawner spawner = AddSpawner(source);
+        PerformerSpawner spawner = Stage.AddSpawner(source);
         spawner.Prefab = _loop.CreatePrefab("Stone");
         _loop.RunUntil(() => spawner.Problem.Length > 0);
         spawner.Prefab = null;
@@ -297,70 +294,13 @@ public sealed class PerformerSpawnerTests : IDisposable
         Assert.Equal("", spawner.Problem);
     }
 
-    [Fact]
-    public void Figures_of_two_computers_that_send_the_same_number_follow_their_own()
-    {
-        MocapSource source = AddUdpSource(out IPEndPoint to);
-        PerformerSpawner spawner = AddSpawner(source);
-        using UdpClient first = Stage.SenderFrom("127.0.0.11"), second = Stage.SenderFrom("127.0.0.12");
-        _loop.RunUntil(() => Send(first, to) && Send(second, to) && spawner.Figures.Count == 2 && spawner.Figures.All(static figure => figure.Driver.IsDriving));
-
-        Assert.Equal([0, 1], spawner.Figures.Select(static figure => figure.Performer.Sender).Order());
-        Assert.All(spawner.Figures, static figure => Assert.Same(figure.Performer, figure.Driver.Performer));
-    }
-
-    // As when a server moves to another computer. The performer stays, because performers of this source never leave.
-    [Fact]
-    public void A_figure_does_not_follow_the_performer_of_another_computer()
-    {
-        MocapSource source = AddUdpSource(out IPEndPoint to);
-        PerformerSpawner spawner = AddSpawner(source);
-        spawner.DespawnSeconds = 0;
-        using UdpClient first = Stage.SenderFrom("127.0.0.11"), second = Stage.SenderFrom("127.0.0.12");
-        _loop.RunUntil(() => Send(first, to) && spawner.Figures.Count == 1 && spawner.Figures[0].Driver.IsDriving);
-        _loop.RunUntil(() => Send(second, to) && spawner.Figures.Count == 2 && spawner.Figures[1].Driver.IsDriving && spawner.Figures[0].IsIdle);
-
-        SpawnedFigure left = spawner.Figures[0];
-        Assert.Equal(0, left.Performer.Sender);
-        Assert.Same(left.Performer, left.Driver.Performer);
-
-        // When the performer has left, there is nobody to follow.
-        source.LeaveTimeout = 0.1f;
-        _loop.RunUntil(() => Send(second, to) && source.Performers.Count == 1 && spawner.Figures[1].Driver.IsDriving && left.Driver.Performer?.Sender != 0);
-        Assert.Null(left.Driver.Performer);
-        Assert.Contains("stopped sending", left.Driver.Problem, StringComparison.Ordinal);
-    }
-
-    [Fact]
-    public void A_script_may_change_the_performer_or_the_source_of_a_figure()
-    {
-        MocapSource source = AddUdpSource(out IPEndPoint to);
-        PerformerSpawner spawner = AddSpawner(source);
-        using UdpClient first = Stage.SenderFrom("127.0.0.11"), second = Stage.SenderFrom("127.0.0.12");
-        _loop.RunUntil(() => Send(first, to) && Send(first, to, avatar: 1, "Ann") && spawner.Figures.Count == 2);
-        _loop.RunUntil(() => Send(first, to, avatar: 1, "Ann") && Send(second, to) && spawner.Figures.Count == 3);
-        FigureDriver driver = spawner.Figures[2].Driver;
-
-        driver.PerformerIndex = 1;
-        _loop.Frame();
-        Assert.Equal((1, 0), (driver.Performer!.AvatarIndex, driver.Performer.Sender));
-
-        (driver.PerformerIndex, driver.PerformerChoice, driver.PerformerName) = (0, PerformerChoice.ByName, "Ann");
-        _loop.Frame();
-        Assert.Equal((1, 0), (driver.Performer!.AvatarIndex, driver.Performer.Sender));
-
-        MocapSource other = Stage.AddSimulator();
-        (driver.PerformerChoice, driver.Source) = (PerformerChoice.ByIndex, other);
-        _loop.RunUntil(() => Stage.IsLive(other) && driver.Performer == other.Performers[0]);
-    }
-
     [Theory]
     [InlineData(true)]
     [InlineData(false)]
     public void A_leave_handler_that_throws_keeps_no_figure(bool inInspector)
     {
         MocapSource source = Stage.AddSimulator(performers: 3);
-        PerformerSpawner spawner = AddSpawner(source);
+        PerformerSpawner spawner = Stage.AddSpawner(source);
         _loop.RunUntil(() => spawner.Figures.Count == 3);
         if (inInspector)
             ((UnityEvent<GameObject>)Measure.Field(spawner, "_onDespawning")!).AddListener(static _ => throw new InvalidOperationException("despawning"));
@@ -383,7 +323,7 @@ public sealed class PerformerSpawnerTests : IDisposable
     {
         MocapSource source = Stage.AddSimulator(performers: 3);
         _loop.RunUntil(() => Stage.IsLive(source, 3));
-        PerformerSpawner spawner = AddSpawner(source);
+        PerformerSpawner spawner = Stage.AddSpawner(source);
         if (inInspector)
             ((UnityEvent<GameObject>)Measure.Field(spawner, "_onSpawned")!).AddListener(static _ => throw new InvalidOperationException("spawned"));
         else
@@ -397,25 +337,5 @@ public sealed class PerformerSpawnerTests : IDisposable
         _loop.Frame();
         Assert.All(spawner.Figures, static figure => Assert.True(figure.IsIdle));
         Assert.Equal(["idle", "idle", "idle", "spawned", "spawned", "spawned"], ConsoleLog.Entries.Select(static entry => entry.Exception!.Message).Order());
-    }
-
-    private static MocapSource AddUdpSource(out IPEndPoint to)
-    {
-        int port = FreePort.Next();
-        to = new IPEndPoint(IPAddress.Loopback, port);
-        var source = new GameObject("Source").AddComponent<MocapSource>();
-        (source.Transport, source.Port, source.LeaveTimeout, source.IdleTimeout) = (TransportKind.Udp, port, 0, 0.1f);
-        return source;
-    }
-
-    // Without displacement, so that the sizes are those of a human.
-    private static bool Send(UdpClient sender, IPEndPoint to, int avatar = 0, string name = "Char00") => sender.Send(TestPackets.Motion(1, avatar, 180, name), to) > 0;
-
-    private static PerformerSpawner AddSpawner(MocapSource source)
-    {
-        var holder = new GameObject("Spawner");
-        var spawner = holder.AddComponent<PerformerSpawner>();
-        spawner.Source = source;
-        return spawner;
     }
 }

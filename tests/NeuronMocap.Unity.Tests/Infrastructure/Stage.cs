@@ -38,6 +38,13 @@ internal static class Stage
         return server;
     }
 
+    public static PerformerSpawner AddSpawner(MocapSource source)
+    {
+        var spawner = new GameObject("Spawner").AddComponent<PerformerSpawner>();
+        spawner.Source = source;
+        return spawner;
+    }
+
     /// <summary>A computer that sends over UDP, as far as the receiver can tell.</summary>
     public static UdpClient SenderFrom(string address)
     {
