@@ -27,7 +27,13 @@ public sealed class IdleFigureTests : SourceFixture
         spawner.Source.Open();
         Loop.RunUntil(() => !figure.IsIdle && figure.Driver.IsDriving);
         Loop.RunFor(0.5f);
-        Assert.Equal(0, Quaternion.Angle(figure.Performer.GetRotation(Bone.LeftArm), shown.GetBone(Bone.LeftArm).rotation), 8f);
+        List<Quaternion> had = [];
+        Loop.RunUntil(() =>
+        {
+            had.Add(figure.Performer.GetRotation(Bone.LeftArm));
+            return had.Count == 5;
+        });
+        AssertBetween(had, shown.GetBone(Bone.LeftArm).rotation);
     }
 
     // Bodies and the figure that is seen are at the same place, so nothing moves them to and fro.
@@ -85,6 +91,11 @@ public sealed class IdleFigureTests : SourceFixture
         Assert.Equal(shown.Body.GetOffset(Bone.Hips).Y / 100, shown.GetBone(Bone.Hips).position.y, 0.01);
         Assert.Equal(0, Vector3.Angle(shown.GetBone(Bone.Hips).up, Vector3.up), 0.5f);
     }
+
+    // A body shows a pose between two that the performer had at the last steps. On a busy computer, much time passes between them.
+    private static void AssertBetween(List<Quaternion> had, Quaternion shown) => Assert.Contains(
+        had.Zip(had.Skip(1)),
+        pair => Quaternion.Angle(pair.First, shown) + Quaternion.Angle(shown, pair.Second) < Quaternion.Angle(pair.First, pair.Second) + 1);
 
     private static PerformerSpawner AddSpawner()
     {
