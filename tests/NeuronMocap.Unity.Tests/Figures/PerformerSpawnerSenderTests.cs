@@ -5,7 +5,7 @@ using NeuronMocap.Unity.Tests.Infrastructure;
 
 namespace NeuronMocap.Unity.Tests.Figures;
 
-// Several computers send to the UDP port of one source.
+// Figures and where their data comes from: several computers that send to one source, and other sources.
 public sealed class PerformerSpawnerSenderTests : IDisposable
 {
     private readonly PlayerLoop _loop = new();
@@ -67,6 +67,33 @@ public sealed class PerformerSpawnerSenderTests : IDisposable
         MocapSource other = Stage.AddSimulator();
         (driver.PerformerChoice, driver.Source) = (PerformerChoice.ByIndex, other);
         _loop.RunUntil(() => Stage.IsLive(other) && driver.Performer == other.Performers[0]);
+    }
+
+    [Fact]
+    public void Another_source_replaces_the_figures()
+    {
+        MocapSource first = Stage.AddSimulator(), second = Stage.AddSimulator(performers: 2);
+        PerformerSpawner spawner = Stage.AddSpawner(first);
+        _loop.RunUntil(() => spawner.Figures.Count == 1 && spawner.Figures[0].Driver.IsDriving);
+        List<SpawnedFigure> left = [];
+        spawner.Despawning += left.Add;
+        SpawnedFigure old = spawner.Figures[0];
+
+        // A spawner without a source keeps its figures, which rest.
+        spawner.Source = null;
+        _loop.Frame();
+        Assert.True(old.IsIdle);
+        Assert.Empty(left);
+
+        spawner.Source = second;
+        _loop.RunUntil(() => spawner.Figures.Count == 2 && spawner.Figures.All(static figure => figure.Driver.IsDriving));
+        Assert.Equal([old], left);
+        Assert.Equal(2, spawner.transform.childCount);
+        Assert.All(spawner.Figures, figure =>
+        {
+            Assert.Same(second, figure.Driver.ActiveSource);
+            Assert.Same(figure.Performer, figure.Driver.Performer);
+        });
     }
 
     private static MocapSource AddUdpSource(out IPEndPoint to)

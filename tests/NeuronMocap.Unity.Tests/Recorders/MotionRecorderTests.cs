@@ -139,6 +139,22 @@ public sealed class MotionRecorderTests : IDisposable
     }
 
     [Fact]
+    public void A_handler_that_throws_keeps_the_files_from_no_other()
+    {
+        MotionRecorder recorder = AddRecorder(Stage.AddSimulator());
+        recorder.Finished += static _ => throw new InvalidOperationException("finished");
+        IReadOnlyList<string>? finished = null;
+        recorder.Finished += files => finished = files;
+        recorder.RecordOnPlay = true;
+        _loop.RunUntil(() => recorder.Frames >= 10);
+        recorder.StopRecording();
+        _loop.RunUntil(() => recorder.State == RecorderState.Idle);
+
+        Assert.Single(finished!);
+        Assert.Equal("finished", Assert.Single(ConsoleLog.Entries).Exception!.Message);
+    }
+
+    [Fact]
     public void Invalid_settings_are_reported()
     {
         MotionRecorder recorder = AddRecorder(null);

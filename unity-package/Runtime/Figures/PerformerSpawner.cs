@@ -66,6 +66,7 @@ namespace NeuronMocap.Unity
         private UnityEvent<GameObject> _onDespawning = new UnityEvent<GameObject>();
 
         private readonly List<SpawnedFigure> _figures = new List<SpawnedFigure>();
+        private MocapSource? _shownSource;
         private bool _isFull;
         private GameObject? _badPrefab;
 
@@ -78,7 +79,7 @@ namespace NeuronMocap.Unity
         /// <summary>Occurs when a figure's data stops or resumes; see <see cref="SpawnedFigure.IsIdle"/>. Main thread.</summary>
         public event Action<SpawnedFigure>? IdleChanged;
 
-        /// <summary>Gets or sets the source whose performers get figures.</summary>
+        /// <summary>Gets or sets the source whose performers get figures. The figures of an earlier source are destroyed.</summary>
         public MocapSource? Source
         {
             get => _source;
@@ -160,7 +161,7 @@ namespace NeuronMocap.Unity
         private void Update()
         {
             if (_source != null)
-                SpawnMissing(_source.Performers);
+                Show(_source);
 
             // Handlers may disable the spawner, which empties the list.
             for (int i = _figures.Count - 1; i >= 0; i--)
@@ -171,6 +172,16 @@ namespace NeuronMocap.Unity
         }
 
         private void OnDisable() => DespawnAll();
+
+        // The drivers of figures keep the source that they were created for.
+        private void Show(MocapSource source)
+        {
+            if (!ReferenceEquals(source, _shownSource))
+                DespawnAll();
+
+            _shownSource = source;
+            SpawnMissing(source.Performers);
+        }
 
         private void SpawnMissing(IReadOnlyList<Performer> performers)
         {

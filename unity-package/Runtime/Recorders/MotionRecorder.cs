@@ -203,7 +203,7 @@ namespace NeuronMocap.Unity
             if (Files.Count > 0)
                 CountUp();
 
-            Finished?.Invoke(Files);
+            Handlers.Raise(Finished, Files, this);
         }
     }
 }
