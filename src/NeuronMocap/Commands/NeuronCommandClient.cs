@@ -216,16 +216,25 @@ public sealed class NeuronCommandClient : IDisposable, IAsyncDisposable
 
     private Task Stop()
     {
+        CommandRequest[] queued;
+        Task working;
         lock (_lock)
         {
             _isDisposed = true;
-            foreach (CommandRequest request in _queue)
+            queued = [.. _queue];
+            foreach (CommandRequest request in queued)
                 request.Fail(Disposed());
             _current?.Fail(Disposed());
             _queue.Clear();
             _connection?.Close();
-            return _working;
+            working = _working;
         }
+
+        // Waits for running callbacks, so it must not run inside the lock. A token that outlives the client must not keep it.
+        foreach (CommandRequest request in queued)
+            request.Cancellation.Dispose();
+
+        return working;
     }
 
     // The client's thread, which runs while there are requests.
