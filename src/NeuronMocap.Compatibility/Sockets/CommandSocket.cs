@@ -17,7 +17,7 @@ internal sealed class CommandSocket : VendorSocket
     public CommandSocket(object owner, string host, int port)
     {
         _owner = owner;
-        _target = $"{host}:{port}";
+        _target = FormattableString.Invariant($"{host}:{port}");
         try
         {
             _client = new NeuronCommandClient(new NeuronCommandOptions { Host = host, Port = port, ConnectTimeout = OpenTimeout });

@@ -8,7 +8,7 @@ internal sealed class TcpDataSocket(IVendorCallbacks callbacks, string host, int
 {
     private const string Stopped = "Service is stoped\n";
 
-    private readonly string _target = $"{host}:{port}";
+    private readonly string _target = FormattableString.Invariant($"{host}:{port}");
 
     public override bool IsTo(VendorSocket other) => other is TcpDataSocket tcp
         && tcp.Callbacks == Callbacks

@@ -15,7 +15,7 @@ internal sealed class UdpDataSocket(IVendorCallbacks callbacks, int port)
     {
         if (StartReader() is int error)
         {
-            LastError.Set($"Failed to bind UDP service to port {_port}.", error);
+            LastError.Set(FormattableString.Invariant($"Failed to bind UDP service to port {_port}."), error);
             return false;
         }
 

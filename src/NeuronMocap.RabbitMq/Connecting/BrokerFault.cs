@@ -15,7 +15,7 @@ internal static class BrokerFault
 
     public static NeuronConnectionException TimedOut(RabbitMqOptions options) => new(
         ConnectionReason.TimedOut,
-        $"{AmqpAddress.EndPoint(options)} did not answer as a RabbitMQ broker within {options.ConnectTimeout.TotalSeconds:0.#} s.");
+        FormattableString.Invariant($"{AmqpAddress.EndPoint(options)} did not answer as a RabbitMQ broker within {options.ConnectTimeout.TotalSeconds:0.###} s."));
 
     public static NeuronConnectionException Of(Exception exception, RabbitMqOptions options)
     {

@@ -16,7 +16,7 @@ internal static class CommandMessages
             CommandFailure.Refused, $"{link.Target} refused the connection: nothing listens there. {WhichPort}", cause),
         ConnectionReason.TimedOut => new(
             CommandFailure.NotConnected,
-            $"{link.Target} did not answer within {Seconds(link.ConnectTimeout)}. Check the address, that both computers are on the same network, and that "
+            $"{link.Target} did not answer within {ConnectionMessages.Seconds(link.ConnectTimeout)}. Check the address, that both computers are on the same network, and that "
             + "no firewall blocks the port.",
             cause),
         ConnectionReason.AccessDenied or ConnectionReason.Unreachable or ConnectionReason.AddressUnavailable => new(
@@ -36,7 +36,7 @@ internal static class CommandMessages
             _ => "No reply came within",
         };
         string check = skipped > 0 ? WhichPort : WhichPort + " For a slow server, raise NeuronCommandOptions.Timeout.";
-        return new(CommandFailure.TimedOut, $"{target}: {what} {Seconds(options.Timeout)}. {check}");
+        return new(CommandFailure.TimedOut, $"{target}: {what} {ConnectionMessages.Seconds(options.Timeout)}. {check}");
     }
 
     public static NeuronCommandException Closed(string target, bool isIncomplete, Exception? cause) => new(
@@ -70,6 +70,4 @@ internal static class CommandMessages
         avatar is { } index
             ? $"{target} did not zero out avatar {index}: there may be no such avatar, or no suit connected."
             : $"{target} did not zero out the avatars: there may be none, or no suit connected.");
-
-    private static string Seconds(TimeSpan time) => $"{time.TotalSeconds:0.###} s";
 }

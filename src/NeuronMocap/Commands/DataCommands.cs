@@ -1,5 +1,6 @@
 using NeuronMocap.Delivery;
 using NeuronMocap.Protocol;
+using NeuronMocap.Transport;
 
 namespace NeuronMocap.Commands;
 
@@ -221,7 +222,7 @@ public sealed class DataCommands
         {
             throw new NeuronCommandException(
                 CommandFailure.TimedOut,
-                $"No reply to the command {id} arrived within {Timeout.TotalSeconds:0.#} s. Servers newer than b12 do not accept commands on the data "
+                $"No reply to the command {id} arrived within {ConnectionMessages.Seconds(Timeout)}. Servers newer than b12 do not accept commands on the data "
                 + "connection: use the command port, by default 8013.");
         }
         finally

@@ -12,7 +12,7 @@ internal sealed class SourceExamination(DiagnosisContext context, ByteSource sou
         Task<LinkEnd> opening = link.OpenAsync(context.CancellationToken);
         await context.WaitAsync(limit, opening).ConfigureAwait(false);
         if (!opening.IsCompleted)
-            return NotOpened(DiagnosisVerdict.NoAnswer, StreamPhrases.Invariant($"Opening {link.Target} takes longer than {limit.TotalSeconds:0.#} s."));
+            return NotOpened(DiagnosisVerdict.NoAnswer, $"Opening {link.Target} takes longer than {ConnectionMessages.Seconds(limit)}.");
 
         LinkEnd opened = await opening.ConfigureAwait(false);
         if (opened.Reason != ConnectionReason.None)
@@ -37,7 +37,7 @@ internal sealed class SourceExamination(DiagnosisContext context, ByteSource sou
             return new Conclusion([new ExplainedVerdict(DiagnosisVerdict.ClosedImmediately, end.Message)]);
         }
 
-        context.Log.Failed("first bytes", StreamPhrases.Invariant($"none in {silence.TotalSeconds:0.#} s"));
+        context.Log.Failed("first bytes", $"none in {ConnectionMessages.Seconds(silence)}");
         return new Conclusion([new ExplainedVerdict(DiagnosisVerdict.Silent, ConnectionMessages.NoBytes(link.Target, silence))]);
     }
 

@@ -117,7 +117,7 @@ internal static class TcpConclusions
 
     public static async Task<Conclusion> SilentAsync(DiagnosisContext context, IPAddress address, TimeSpan silence)
     {
-        context.Log.Failed("first bytes", StreamPhrases.Invariant($"none in {silence.TotalSeconds:0.#} s"));
+        context.Log.Failed("first bytes", $"none in {ConnectionMessages.Seconds(silence)}");
         if (context.Options.SearchOtherPorts && await ServerProbe.AskAsync(context, address).ConfigureAwait(false) is { } answer)
             return await AddOtherPortsAsync(context, Answered(context, answer), address, isUdp: false).ConfigureAwait(false);
 

@@ -90,7 +90,7 @@ internal sealed class UdpExamination(DiagnosisContext context, IReadOnlyList<IPA
 
     private async Task<Conclusion> SilentAsync(UdpListener listener, TimeSpan silence)
     {
-        context.Log.Failed("first bytes", StreamPhrases.Invariant($"none in {silence.TotalSeconds:0.#} s"));
+        context.Log.Failed("first bytes", $"none in {ConnectionMessages.Seconds(silence)}");
         IPAddress? host = await ResolveHostAsync().ConfigureAwait(false);
         PortScanResult search = await AlternativePortScan.FindAsync(context, host, isUdp: true).ConfigureAwait(false);
         if (search.Found is { } found && found.Sample.Has(context.Expected))

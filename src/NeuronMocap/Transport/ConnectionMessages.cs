@@ -15,7 +15,7 @@ internal static class ConnectionMessages
         $"{target} has stopped answering: its computer was switched off, or the network between the computers is down.";
 
     public static string ResolverTimedOut(LinkOptions options) =>
-        $"The name '{options.Host}' could not be resolved within {options.ConnectTimeout.TotalSeconds:0.#} s. Check the network, or give the IP "
+        $"The name '{options.Host}' could not be resolved within {Seconds(options.ConnectTimeout)}. Check the network, or give the IP "
         + "address of the computer that runs Axis Neuron.";
 
     public static string TlsFailed(string target, Exception exception) =>
@@ -43,18 +43,18 @@ internal static class ConnectionMessages
         $"Packets arrive from {target}, but none of them contains a frame. In Axis Neuron, connect the suit or play a take.";
 
     public static string NoFrames(string target, TimeSpan silence) =>
-        $"Connected to {target}, but nothing has arrived for {silence.TotalSeconds:0.#} s. In Axis Neuron, connect the suit or play a take. "
+        $"Connected to {target}, but nothing has arrived for {Seconds(silence)}. In Axis Neuron, connect the suit or play a take. "
         + "Check that broadcasting of BVH or calculation data is on, and that this is its port, not the command port.";
 
     public static string NoBytes(string target, TimeSpan silence) =>
-        $"Nothing has arrived from {target} for {silence.TotalSeconds:0.#} s. Check that the program that writes to it runs, and that it sends BVH or "
+        $"Nothing has arrived from {target} for {Seconds(silence)}. Check that the program that writes to it runs, and that it sends BVH or "
         + "calculation data.";
 
     public static string NoRecordedFrames(string target, TimeSpan silence) =>
-        $"The {target} has had no frame for {silence.TotalSeconds:0.#} s: nothing arrived while it was recorded.";
+        $"The {target} has had no frame for {Seconds(silence)}: nothing arrived while it was recorded.";
 
     public static string NoDatagrams(string target, TimeSpan silence, long refused) =>
-        $"Nothing has arrived on {target} for {silence.TotalSeconds:0.#} s"
+        $"Nothing has arrived on {target} for {Seconds(silence)}"
         + (refused > 0 ? $", except a few datagrams from senders that AllowedSenders does not list ({refused} in all). " : ". ")
         + "In Axis Neuron's broadcasting settings choose UDP, and enter this computer's address and this port as the destination. Check that "
         + "the firewall allows UDP.";
@@ -77,10 +77,10 @@ internal static class ConnectionMessages
                 $"{target} refused the connection: nothing listens there. In Axis Neuron's broadcasting settings switch BVH on, choose TCP, "
                 + "and check that the port is the same.",
             ConnectionReason.TimedOut when options.Tls is not null =>
-                $"{target} did not answer with TLS within {options.ConnectTimeout.TotalSeconds:0.#} s. Check the address and the port, that no firewall blocks the "
+                $"{target} did not answer with TLS within {Seconds(options.ConnectTimeout)}. Check the address and the port, that no firewall blocks the "
                 + "port, and that this server encrypts its stream.",
             ConnectionReason.TimedOut =>
-                $"{target} did not answer within {options.ConnectTimeout.TotalSeconds:0.#} s. Check the address, that both computers are on the "
+                $"{target} did not answer within {Seconds(options.ConnectTimeout)}. Check the address, that both computers are on the "
                 + "same network, and that no firewall blocks the port.",
             ConnectionReason.HostNotFound => HostNotFound(options.Host),
             ConnectionReason.Unreachable => $"No route to {target}. Check the address and that the network is connected.",
@@ -104,4 +104,7 @@ internal static class ConnectionMessages
         ConnectionReason.AccessDenied => $"This computer does not allow UDP port {options.Port}. Choose port 1024 or higher.",
         _ => $"Receiving on UDP port {options.Port} failed: {exception.Message}",
     };
+
+    // Messages are English in every culture: "0.5 s", not "0,5 s".
+    public static string Seconds(TimeSpan time) => FormattableString.Invariant($"{time.TotalSeconds:0.###} s");
 }

@@ -1,3 +1,4 @@
+using System.Globalization;
 using System.Numerics;
 using System.Text;
 using NeuronMocap.Bvh;
@@ -50,7 +51,7 @@ public sealed class BvhSourceTests
     {
         var file = new ChannelLayout(hasDisplacement: false, hasReference: true);
         float[] row = [.. Enumerable.Range(0, file.ValueCount).Select(static i => i * 13 % 50 - 20f)];
-        string text = BvhHierarchyText.Create(SkeletonFormat.Default, file) + "MOTION\nFrames: 1\nFrame Time: 0.01\n" + string.Join(' ', row) + "\n";
+        string text = BvhHierarchyText.Create(SkeletonFormat.Default, file) + "MOTION\nFrames: 1\nFrame Time: 0.01\n" + string.Join(' ', row.Select(static value => value.ToString(CultureInfo.InvariantCulture))) + "\n";
         var source = new BvhSource(BvhDocument.Parse(Encoding.ASCII.GetBytes(text)));
 
         var layout = new ChannelLayout(hasDisplacement: false, reference);

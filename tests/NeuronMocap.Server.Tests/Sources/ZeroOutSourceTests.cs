@@ -1,3 +1,4 @@
+using System.Globalization;
 using System.Numerics;
 using System.Text;
 using NeuronMocap.Bvh;
@@ -226,7 +227,7 @@ public sealed class ZeroOutSourceTests
     private static byte[] WithReference()
     {
         var layout = new ChannelLayout(hasDisplacement: true, hasReference: true);
-        string row = string.Join(' ', Enumerable.Range(0, layout.ValueCount).Select(static i => (i * 17 % 60) - 25));
+        string row = string.Join(' ', Enumerable.Range(0, layout.ValueCount).Select(static i => ((i * 17 % 60) - 25).ToString(CultureInfo.InvariantCulture)));
         return Encoding.ASCII.GetBytes(
             BvhHierarchyText.Create(SkeletonFormat.Default, layout) + $"MOTION\nFrames: 1\nFrame Time: 0.01\n{row}\n");
     }

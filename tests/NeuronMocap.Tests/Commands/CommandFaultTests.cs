@@ -210,7 +210,7 @@ public class CommandFaultTests
     }
 
     [Theory]
-    [InlineData(-1, "-1 bytes")]
+    [InlineData(-1, "1 bytes")]
     [InlineData(int.MinValue, "bytes")]
     [InlineData(100_001, "NeuronCommandOptions.MaxReplySize")]
     [InlineData(int.MaxValue, "NeuronCommandOptions.MaxReplySize")]

@@ -27,7 +27,7 @@ public sealed class SourceDiagnosisTests
     public async Task A_source_that_does_not_open_in_time_is_left()
     {
         StreamDiagnosis diagnosis = await RunAsync(Diagnosing.Patient with { Connecting = 0.002 });
-        diagnosis.AssertFault(DiagnosisVerdict.NoAnswer, "source", "Opening the list takes longer than 0.1 s");
+        diagnosis.AssertFault(DiagnosisVerdict.NoAnswer, "source", "Opening the list takes longer than 0.12 s");
     }
 
     [Fact]
@@ -41,14 +41,14 @@ public sealed class SourceDiagnosisTests
     public async Task Silence_is_a_fault()
     {
         StreamDiagnosis diagnosis = await RunAsync(Diagnosing.Silent, static () => new FedStream());
-        diagnosis.AssertFault(DiagnosisVerdict.Silent, "first bytes", "Nothing has arrived from the list for 0.1 s.");
+        diagnosis.AssertFault(DiagnosisVerdict.Silent, "first bytes", "Nothing has arrived from the list for 0.12 s.");
     }
 
     [Fact]
     public async Task A_read_that_blocks_its_caller_is_silence()
     {
         StreamDiagnosis diagnosis = await RunAsync(Diagnosing.Silent, static () => new FedStream { BlocksCallers = true, IgnoresEnd = true });
-        diagnosis.AssertFault(DiagnosisVerdict.Silent, "first bytes", "Nothing has arrived from the list for 0.1 s.");
+        diagnosis.AssertFault(DiagnosisVerdict.Silent, "first bytes", "Nothing has arrived from the list for 0.12 s.");
     }
 
     [Fact]

@@ -87,7 +87,7 @@ public class TextNumberTests
         for (int i = 0; i < Trials.Of(50_000); i++)
         {
             string digits = string.Concat(Enumerable.Range(0, random.Next(1, 25)).Select(_ => random.Next(10)));
-            AssertNearest(digits.Insert(random.Next(digits.Length + 1), ".") + "e" + random.Next(-70, 50));
+            AssertNearest(digits.Insert(random.Next(digits.Length + 1), ".") + "e" + random.Next(-70, 50).ToString(CultureInfo.InvariantCulture));
         }
     }
 
@@ -126,7 +126,7 @@ public class TextNumberTests
             string digits = string.Concat(Enumerable.Range(0, count).Select(_ => random.Next(10)));
             int point = random.Next(count + 1);
             int power = (i % 4) switch { 0 => random.Next(36, 41), 1 => random.Next(-48, -36), _ => random.Next(-60, 60) };
-            AssertNearest((i % 2 == 0 ? "-" : "") + digits.Insert(point, ".") + "e" + (power - point));
+            AssertNearest((i % 2 == 0 ? "-" : "") + digits.Insert(point, ".") + "e" + (power - point).ToString(CultureInfo.InvariantCulture));
         }
     }
 
@@ -150,7 +150,7 @@ public class TextNumberTests
             int power = exponent - 151;
             BigInteger middle = power >= 0 ? twice << power : twice * BigInteger.Pow(5, -power);
             string digits = middle.ToString(CultureInfo.InvariantCulture);
-            string suffix = "e" + Math.Min(0, power);
+            string suffix = "e" + Math.Min(0, power).ToString(CultureInfo.InvariantCulture);
             string above = digits + "." + new string('0', random.Next(30)) + "1" + suffix;
             AssertNearest(digits + suffix);
             AssertNearest(digits + ".000" + suffix);

@@ -105,7 +105,7 @@ public sealed class TargetRigTests
         AssertRefused("length zero", nodes => nodes[2] = nodes[2] with { Rotation = default });
         AssertRefused("is mapped to two bones", change: null, nodeByBone => nodeByBone[5] = nodeByBone[6]);
         AssertRefused("Node 55 does not exist", change: null, nodeByBone => nodeByBone[5] = 55);
-        AssertRefused("Node -2 does not exist", change: null, nodeByBone => nodeByBone[5] = -2);
+        AssertRefused($"Node {-2} does not exist", change: null, nodeByBone => nodeByBone[5] = -2);
         AssertRefused("hips have no node", change: null, nodeByBone => nodeByBone[0] = -1);
         AssertRefused("below another bone", change: null, nodeByBone => (nodeByBone[0], nodeByBone[7]) = (nodeByBone[7], nodeByBone[0]));
         RigNode[] flat = TestRigs.Under(new RigNode("Armature", -1, Vector3.Zero, Quaternion.Identity, Vector3.Zero), TestRigs.HumanoidNodes());

@@ -172,7 +172,7 @@ public sealed partial class SampleSceneTests
 
         Click(suit, "More noise");
         Assert.Equal(3, suit.Noise);
-        Assert.Contains(Shown(suit), static text => text.Contains("3.0 degrees", StringComparison.Ordinal));
+        Assert.Contains(Shown(suit), static text => text.Contains($"{3:0.0} degrees", StringComparison.Ordinal));
 
         (Quaternion Raw, Quaternion Smooth) Heads() => (raw.Figure!.GetBone(Bone.Head).localRotation, smooth.Figure!.GetBone(Bone.Head).localRotation);
     }

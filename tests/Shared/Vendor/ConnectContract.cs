@@ -74,7 +74,7 @@ public abstract class ConnectContract
         Assert.Equal(VendorDriver.None, await driver.ConnectAsync(port, host));
         Assert.Equal(error, await driver.CallAsync("error"));
         Assert.Equal(3, driver.Statuses.Count);
-        Assert.Equal(VendorDriver.None, await driver.CallAsync($"connect-commands {host} {port}"));
+        Assert.Equal(VendorDriver.None, await driver.CallAsync(FormattableString.Invariant($"connect-commands {host} {port}")));
         Assert.Equal(error, await driver.CallAsync("error"));
         Assert.Equal(3, driver.Statuses.Count);
         await driver.EndAsync();

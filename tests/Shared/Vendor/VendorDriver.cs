@@ -57,7 +57,7 @@ internal abstract class VendorDriver : IAsyncDisposable
         return _answers.Dequeue();
     }
 
-    public Task<string> ConnectAsync(int port, string host = "127.0.0.1") => CallAsync($"connect {host} {port}");
+    public Task<string> ConnectAsync(int port, string host = "127.0.0.1") => CallAsync(FormattableString.Invariant($"connect {host} {port}"));
 
     public async Task<(string Handle, TestConnection Connection)> ConnectAsync(TestServer server)
     {

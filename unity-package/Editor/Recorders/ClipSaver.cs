@@ -45,7 +45,7 @@ namespace NeuronMocap.Unity.EditorTools
                 EditorUtility.ClearProgressBar();
             }
 
-            Debug.Log($"Animation clip saved: {path} ({take.FrameCount} frames, {take.Length:0.0} s)", recorder);
+            Debug.Log(FormattableString.Invariant($"Animation clip saved: {path} ({take.FrameCount} frames, {take.Length:0.0} s)"), recorder);
             return path;
         }
 

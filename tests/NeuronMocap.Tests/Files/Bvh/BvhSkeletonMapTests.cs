@@ -221,7 +221,7 @@ public class BvhSkeletonMapTests
         return Neuron()
             .Replace("ROOT Hips", $"ROOT {name}\n{{\nOFFSET 0 0 0\nCHANNELS {channels}\nJOINT Hips", StringComparison.Ordinal)
             .Replace("MOTION", "}\nMOTION", StringComparison.Ordinal)
-            .Replace("0.017\n", $"0.017\n{string.Join(' ', Enumerable.Range(-count, count))} ", StringComparison.Ordinal);
+            .Replace("0.017\n", $"0.017\n{string.Join(' ', Enumerable.Range(0, count).Select(i => $"-{count - i}"))} ", StringComparison.Ordinal);
     }
 
     private static BvhSkeletonMap Create(string text)

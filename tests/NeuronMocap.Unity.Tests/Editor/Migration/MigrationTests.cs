@@ -148,7 +148,7 @@ public sealed class MigrationTests : IDisposable
         Assert.Contains("already has a driver", Reason("Driven"), StringComparison.Ordinal);
         Assert.Contains("InstanceUser on the same object requires it", Reason("Required"), StringComparison.Ordinal);
         Assert.Contains("port is 0", Reason("Port"), StringComparison.Ordinal);
-        Assert.Contains("actor ID is -1", Reason("Actor"), StringComparison.Ordinal);
+        Assert.Contains($"actor ID is {-1}", Reason("Actor"), StringComparison.Ordinal);
         Assert.Empty(Reason("Twice: NeuronAnimatorInstance"));
         Assert.Contains("already has a driver", Reason("Twice: NeuronTransformsInstance"), StringComparison.Ordinal);
         Assert.Equal(5, Object.FindObjectsOfType<Neuron.NeuronInstance>().Length);
