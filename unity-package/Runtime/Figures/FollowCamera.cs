@@ -38,8 +38,9 @@ namespace NeuronMocap.Unity
         private float _searchTime;
 
         /// <summary>
-        /// Gets or sets the figure to follow: the hips of a Humanoid character, or of the figure whose <see cref="FigureDriver"/> is on this object, above
-        /// it or below it. Otherwise its own position. Null: the object stays.
+        /// Gets or sets the figure to follow. The camera follows the hips of a Humanoid character, or of the figure whose
+        /// <see cref="FigureDriver"/> is on this object, above it or below it. Otherwise it follows the object's own position. Null: the
+        /// camera stays.
         /// </summary>
         public Transform? Target
         {
@@ -55,8 +56,8 @@ namespace NeuronMocap.Unity
         }
 
         /// <summary>
-        /// Gets or sets the time constant of the camera's movement, in seconds: the time in which the distance to a target that has moved falls to 37 %.
-        /// 0: follow immediately. Game time that is paused or slow does not change it.
+        /// Gets or sets the time constant of the camera's movement, in seconds. It is the time in which the distance to a target that has
+        /// moved falls to 37 %. 0: follow immediately. Game time that is paused or slow does not change it.
         /// </summary>
         public float FollowTime
         {

@@ -7,8 +7,8 @@ using UnityEngine;
 namespace NeuronMocap.Unity
 {
     /// <summary>
-    /// Brings motion into the scene: from Axis Neuron or Axis Studio on the network, from the built-in simulator, from a BVH file or from a
-    /// recording. One source is enough for any number of figures. Sources with equal settings share one connection. The source is open while it is
+    /// Brings motion into the scene from Axis Neuron or Axis Studio on the network, the built-in simulator, a BVH file or a recording. One
+    /// source is enough for any number of figures. Sources with equal settings share one connection. The source is open while it is
     /// enabled, and reopens automatically when a setting changes at run time.
     /// <para>
     /// All members are for the main thread. The source takes over received data once per rendered frame, in Update, before other scripts run.

@@ -72,8 +72,8 @@ namespace NeuronMocap.Unity
         public long RejectedFrames => _stream.Rejected;
 
         /// <summary>
-        /// Gets the delay from the arrival of a frame to the frame on the screen, in seconds: the source's delay, or the age of the newest frame if
-        /// that is longer.
+        /// Gets the delay from the arrival of a frame to the frame on the screen, in seconds. It is the source's delay, or the age of the
+        /// newest frame if that is longer.
         /// </summary>
         public float Latency => Math.Max(_sampling.Delay, SecondsSinceFrame);
 
