@@ -10,8 +10,8 @@ using NeuronMocap.Skeleton;
 namespace NeuronMocap.Server;
 
 /// <summary>
-/// Sends motion over the network as Axis Neuron does: the frames of one or more avatars, to any number of TCP clients and to UDP destinations. The motion
-/// comes from sources, a recording, or a reader.
+/// Sends the frames of one or more avatars over the network as Axis Neuron does, to any number of TCP clients and to UDP destinations. The
+/// motion comes from sources, a recording, or a reader.
 /// </summary>
 /// <remarks>
 /// TCP clients only have to connect; they need not send anything. A client can neither end a broadcast nor affect another client.

@@ -51,8 +51,8 @@ public readonly record struct BroadcasterStatistics
 
     /// <summary>Motion and calculation packets that were dropped before they reached the network or a reader in the same process.</summary>
     /// <remarks>
-    /// A packet is dropped if a TCP client or a reader in the same process falls too far behind, or if the system refuses a datagram. Packets that UDP loses
-    /// on the way cannot be counted.
+    /// A packet is dropped if a TCP client or a reader in the same process falls too far behind, or the system refuses a datagram. Packets
+    /// that UDP loses on the way cannot be counted.
     /// </remarks>
     public long PacketsDropped { get; }
 

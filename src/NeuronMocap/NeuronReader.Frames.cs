@@ -50,8 +50,8 @@ public sealed partial class NeuronReader
     }
 
     /// <summary>
-    /// Opens a queue of the frames that arrive from now on, thinned to a rate if you wish, and chooses what happens when it is full. To get the first frame
-    /// too, open the queue before you start the reader.
+    /// Opens a queue of the frames that arrive from now on. The options can thin it to a rate, and set what happens when it is full. To get
+    /// the first frame too, open the queue before you start the reader.
     /// </summary>
     /// <param name="options">Capacity, name, rate, and what happens when the queue is full; copied.</param>
     /// <returns>A new queue; dispose it when you no longer pump it.</returns>

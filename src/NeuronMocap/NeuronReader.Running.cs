@@ -96,9 +96,9 @@ public sealed partial class NeuronReader
     /// times.
     /// </summary>
     /// <remarks>
-    /// There are two exceptions. When a handler calls this method, the method returns before that handler does, and perhaps before the connection or port is
-    /// closed: await <see cref="Completion"/> before another reader uses the same port. A handler that is still busy after 2 s is left running. Queues and
-    /// statistics stay readable.
+    /// There are two exceptions. When a handler calls this method, the method returns before that handler does, and perhaps before the
+    /// connection or port is closed. Await <see cref="Completion"/> before another reader uses the same port. A handler that is still busy
+    /// after 2 s is left running. Queues and statistics stay readable.
     /// </remarks>
     public void Dispose()
     {

@@ -6,8 +6,8 @@ namespace NeuronMocap.Server.Clients;
 
 /// <summary>Sends to one UDP destination. A datagram never carries bytes of two packets.</summary>
 /// <remarks>
-/// A packet or a line of text larger than the fragment size is cut, as Axis Neuron on macOS does: 1024 bytes, then the rest (protocol.md section
-/// 4.2).
+/// It cuts a packet or a line of text larger than the fragment size. Axis Neuron on macOS does the same: 1024 bytes, then the rest
+/// (protocol.md section 4.2).
 /// </remarks>
 internal sealed class UdpRecipient : NetworkRecipient, IDirectRecipient
 {

@@ -8,9 +8,9 @@ namespace NeuronMocap.Server.Osc;
 /// A computer and port that datagrams go to, whether or not somebody receives them. One thread sends; the figures can be read on any thread.
 /// </summary>
 /// <remarks>
-/// Sending never waits. If the network or the name fails, the name is looked up again and a new socket is opened, after one second and then less and
-/// less often. An address needs no look-up, so it is tried once a second. A port that refuses keeps its socket, but a name may then belong to another
-/// computer, so it is looked up again too.
+/// Sending never waits. If the network or the name fails, it looks the name up again and opens a new socket. It tries after one second,
+/// then less and less often. An address needs no look-up, so it is tried once a second. A port that refuses keeps its socket, but a name
+/// may then belong to another computer, so it is looked up again too.
 /// </remarks>
 /// <param name="host">A name or an address.</param>
 /// <param name="port">The port.</param>

@@ -7,7 +7,8 @@ public readonly record struct PoseSenderStatistics
     public long FramesSent { get; init; }
 
     /// <summary>
-    /// Number of frames that were not sent, or not completely: a newer frame of the avatar was there already, or the network or the host name failed.
+    /// Number of frames that were not sent, or not completely. A newer frame of the avatar was there already, or the network or the host
+    /// name failed.
     /// </summary>
     public long FramesDropped { get; init; }
 

@@ -22,14 +22,14 @@ public sealed class VmcSenderOptions
     public double MaxRate { get; set; } = 60;
 
     /// <summary>
-    /// The factor of all positions, more than 0. Receivers move their model as far as the actor: set the height of the model's hips divided by that of the
-    /// actor's hips, so that a smaller model does not float. Default: 1.
+    /// The factor of all positions, more than 0. Receivers move their model as far as the actor. To keep a smaller model from floating, set
+    /// the height of the model's hips divided by that of the actor's hips. Default: 1.
     /// </summary>
     public float Scale { get; set; } = 1;
 
     /// <summary>
-    /// Whether the root moves over the ground with the performer, instead of the hips. Set it for receivers that take no positions of bones, so that their
-    /// model walks, too. Default: false.
+    /// Whether the root moves over the ground with the performer, instead of the hips. Set it for receivers that ignore positions of bones;
+    /// their model then walks, too. Default: false.
     /// </summary>
     public bool MoveRoot { get; set; }
 

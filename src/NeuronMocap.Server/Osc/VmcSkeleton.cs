@@ -8,7 +8,7 @@ namespace NeuronMocap.Server.Osc;
 /// <summary>Converts poses of VMC to bones of the stream. One thread uses it.</summary>
 /// <remarks>
 /// The stream has bones that VMC lacks, such as those of the palms. They do not turn, and share the way to the next bone. Bones that a sender's model
-/// lacks, such as the upper chest, do not turn and have no length, because the next bone is placed relative to the one before them.
+/// lacks, such as the upper chest, do not turn. They have no length, because the next bone is placed relative to the one before them.
 /// </remarks>
 internal sealed class VmcSkeleton
 {

@@ -53,8 +53,8 @@ public sealed class RecordingSource : MotionSource
     /// <value>
     /// <list type="bullet">
     /// <item>
-    /// The usual rate nearest to the measured one (<see cref="MeasuredFrameRate"/>), if it is within one per cent, or more for a take of less than
-    /// a second. Otherwise the measured rate to a hundredth.
+    /// The usual rate nearest to the measured one (<see cref="MeasuredFrameRate"/>), if it is within one per cent. A take of less than a
+    /// second allows more. If no usual rate is near, the measured rate to a hundredth.
     /// </item>
     /// <item>The rate of the grid if the arrival times lie on an even grid, as in a recording made from a file.</item>
     /// <item>120 if the arrival times do not give a rate.</item>

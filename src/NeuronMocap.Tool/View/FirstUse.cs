@@ -10,8 +10,8 @@ using NeuronMocap.Tool.View.Web;
 namespace NeuronMocap.Tool.View;
 
 /// <summary>
-/// Makes what the first page needs once, on another processor while the program starts. .NET compiles each method when it is first called: without this,
-/// the first page waits for it.
+/// Makes what the first page needs once, on another processor while the program starts. Without this, the first page waits while .NET
+/// compiles each method on its first call.
 /// </summary>
 internal static class FirstUse
 {

@@ -46,8 +46,8 @@ public readonly record struct AvatarStatistics
     public long Restarts { get; init; }
 
     /// <summary>
-    /// The step of the frame index from frame to frame, 1 to 60: 1 at the full rate, 2 if the server sends every second frame (Axis Neuron's frequency
-    /// reduction).
+    /// The step of the frame index from frame to frame, 1 to 60. It is 1 at the full rate, and 2 if the server sends every second frame
+    /// (Axis Neuron's frequency reduction).
     /// </summary>
     /// <remarks>
     /// A larger step is known after 16 even steps, a smaller step at once. A regular loss of every second frame looks the same as a reduced frequency.

@@ -50,8 +50,8 @@ public readonly record struct ReaderStatistics
     public long UnknownVersionPackets { get; init; }
 
     /// <summary>
-    /// Number of frames that the server sent but that did not arrive: the sum over all avatars, including those whose figures were removed to make room.
-    /// See <see cref="AvatarStatistics.Lost"/>.
+    /// Number of frames that the server sent but that did not arrive. It is the sum over all avatars, including those whose figures were
+    /// removed to make room. See <see cref="AvatarStatistics.Lost"/>.
     /// </summary>
     public long Lost { get; init; }
 

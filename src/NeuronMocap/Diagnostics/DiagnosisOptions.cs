@@ -21,7 +21,8 @@ public sealed class DiagnosisOptions
     /// </summary>
     /// <remarks>
     /// The search connects to the other usual data ports of the same host, and listens on the usual UDP ports of this computer. It also sends two small
-    /// requests to a silent server to identify it: a command that only reads, and an HTTP request, each on its own connection. Data servers ignore both.
+    /// requests to a silent server to identify it, each on its own connection. One is a command that only reads, the other an HTTP request.
+    /// Data servers ignore both.
     /// </remarks>
     public bool SearchOtherPorts { get; set; } = true;
 

@@ -26,7 +26,7 @@ public sealed record StreamDiagnosis
     public string? Advice { get; init; }
 
     /// <summary>
-    /// Lines of C# that receive the stream as it is sent now, even on another port than the requested one; null if no frames were found.
+    /// Lines of C# that receive the stream as it is sent now, even on another port than the requested one. Null if no frames were found.
     /// </summary>
     public string? SampleCode { get; init; }
 

@@ -4,8 +4,8 @@ using NeuronMocap.Skeleton;
 namespace NeuronMocap.Figures;
 
 /// <summary>
-/// The surface of a jointed doll in the sizes of a body, for any renderer: one mesh in the rest pose, with two sets of triangles, one for each
-/// colour. Each vertex follows one bone. Immutable and thread-safe.
+/// The surface of a jointed doll in the sizes of a body, for any renderer. It is one mesh in the rest pose, with two sets of triangles, one
+/// for each colour. Each vertex follows one bone. Immutable and thread-safe.
 /// </summary>
 /// <remarks>Axes are those of the stream: right-handed, Y up, X to the left of the figure, Z forward. Lengths are in metres.</remarks>
 public sealed class FigureSurface

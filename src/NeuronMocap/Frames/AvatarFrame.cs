@@ -49,8 +49,8 @@ public abstract class AvatarFrame
 
     /// <summary>The whole packet, header and values, bit for bit as received. Valid as long as the frame.</summary>
     /// <remarks>
-    /// Sent over TCP or UDP, the packet is the same frame for every client. A line of text has no packet: the span is then a packet with the values of the
-    /// line, whose header ends with 0 instead of the second token (protocol.md section 3).
+    /// Sent over TCP or UDP, the packet is the same frame for every client. A line of text has no packet. The span is then a packet with
+    /// the values of the line, whose header ends with 0 instead of the second token (protocol.md section 3).
     /// </remarks>
     public ReadOnlySpan<byte> Packet => _data.Packet;
 

@@ -98,8 +98,8 @@ public sealed class MotionFrame : AvatarFrame
     public Vector3 GetEulerAngles(Bone bone) => ReadVector(Layout.GetRotationIndex(bone));
 
     /// <summary>
-    /// Gets the rotation of a bone relative to its parent. Compare and interpolate these rotations, not the angles: two frames in a row can describe
-    /// nearly the same rotation with angles that differ by 180 degrees.
+    /// Gets the rotation of a bone relative to its parent. Compare and interpolate these rotations, not the angles. Two frames in a row can
+    /// describe nearly the same rotation with angles that differ by 180 degrees.
     /// </summary>
     /// <param name="bone">A bone.</param>
     /// <returns>A unit quaternion.</returns>

@@ -8,7 +8,7 @@ namespace NeuronMocap.Motion;
 /// The cutoff frequency at rest, in hertz. A lower value removes more noise and adds more delay. 0 switches the filter off.
 /// </param>
 /// <param name="Beta">
-/// How much the cutoff frequency rises with speed: hertz for each radian per second of a rotation, and for each metre per second of a position. A
+/// How much the cutoff frequency rises with speed, in hertz for each radian per second of a rotation or metre per second of a position. A
 /// higher value reduces the delay of fast motion.
 /// </param>
 /// <param name="DerivativeCutoff">The cutoff frequency of the measured speed, in hertz. The usual value is 1.</param>

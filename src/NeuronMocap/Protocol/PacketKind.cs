@@ -16,8 +16,8 @@ public enum PacketKind : byte
     Command,
 
     /// <summary>
-    /// Axis Studio's calculation data, token 0xDCCF: the readings of each sensor and the motion of each bone of one avatar at one moment (protocol.md
-    /// section 9).
+    /// Axis Studio's calculation data, token 0xDCCF (protocol.md section 9). It has the readings of each sensor and the motion of each bone
+    /// of one avatar at one moment.
     /// </summary>
     StudioCalculation,
 }

@@ -10,8 +10,8 @@ namespace NeuronMocap.Protocol;
 /// caller waits for the announced payload or stores it.
 /// </para>
 /// <para>
-/// The scanner has no state. The caller keeps the bytes, and the length that <see cref="ScanStatus.NeedMoreData"/> asked for. Wait for that length before
-/// the next call: a stream that arrives byte by byte then costs no more than one that arrives in large pieces.
+/// The scanner has no state. The caller keeps the bytes, and the length that <see cref="ScanStatus.NeedMoreData"/> asked for. Wait for that
+/// length before the next call. A stream that arrives byte by byte then costs no more than one that arrives in large pieces.
 /// </para>
 /// <para>Any splitting of the same bytes gives the same packets and the same total of skipped bytes. Thread-safe.</para>
 /// </remarks>

@@ -37,8 +37,8 @@ public static class ProtocolConstants
     public const int MaxCommandPayload = 100_000;
 
     /// <summary>
-    /// Largest payload in bytes of a reply on the command channel that any build of the vendor's library accepts: its command packet on systems whose long
-    /// has 8 bytes (protocol.md section 2.5).
+    /// Largest payload in bytes of a reply on the command channel that any build of the vendor's library accepts. It is that of the command
+    /// packet on systems whose long has 8 bytes (protocol.md section 2.5).
     /// </summary>
     public const int MaxCommandReply = 200_016;
 

@@ -3,8 +3,9 @@ using System.Numerics;
 namespace NeuronMocap.Retargeting;
 
 /// <summary>
-/// A pose of a character, ready to be written to transforms in Unity's axes: a local rotation and a local position for each node of a rig. Without
-/// <see cref="RetargetOptions.Displacement"/>, only the position of the hips differs from the rest pose. It is the rest pose until a frame is retargeted into it. The constructor allocates all memory. Not thread-safe.
+/// A pose of a character, ready to be written to transforms in Unity's axes. It has a local rotation and a local position for each node of
+/// a rig. Without <see cref="RetargetOptions.Displacement"/>, only the position of the hips differs from the rest pose. The pose is the
+/// rest pose until a frame is retargeted into it. The constructor allocates all memory. Not thread-safe.
 /// </summary>
 public sealed class RetargetedPose
 {

@@ -13,8 +13,8 @@ namespace NeuronMocap.Retargeting;
 /// <item><description>The same name regardless of case and separators. The side may be a word or a letter, in front or behind.</description></item>
 /// <item><description>Names common in other rigs, such as "thigh" or "upper_leg" (table in docs/guide/retargeting.md).</description></item>
 /// </list>
-/// It knows the names of several programs, and uses those that find the most bones. If several nodes have a name of the hips, such as "hip" and
-/// "pelvis", the hips are the node that carries both the legs and the spine.
+/// It knows the names of several programs, and uses those that find the most bones. If several nodes could be the hips, such as "hip" and
+/// "pelvis", it takes the node that carries both the legs and the spine.
 /// </remarks>
 public static class RigBinder
 {

@@ -6,9 +6,9 @@ namespace NeuronMocap.Skeleton;
 /// Computes the centre of mass of the body. Allocates nothing; thread-safe.
 /// </summary>
 /// <remarks>
-/// Masses and centres of the segments are those of men in P. de Leva, "Adjustments to Zatsiorsky-Seluyanov's segment inertia parameters", Journal of
-/// Biomechanics 29(9), 1996, Table 4. Masses are fractions of the body mass, so the actor's weight, which no stream carries, is not needed. Neck and
-/// head are one segment. A hand includes its fingers.
+/// Masses and centres of the segments are those of men. They come from P. de Leva, "Adjustments to Zatsiorsky-Seluyanov's segment inertia
+/// parameters", Journal of Biomechanics 29(9), 1996, Table 4. Masses are fractions of the body mass, so the actor's weight, which no stream
+/// carries, is not needed. Neck and head are one segment. A hand includes its fingers.
 /// <list type="bullet">
 /// <item><description>The trunk has three segments. They follow the joints of the spine from the midpoint of the thighs to the lowest joint named
 /// Neck.</description></item>

@@ -13,7 +13,8 @@ public static class PoseDecoder
 
     /// <summary>Computes the transforms of all bones relative to their parents.</summary>
     /// <param name="values">
-    /// The values of a motion packet, or of a row of a BVH file in the same order: positions in centimetres, angles of any size in degrees.
+    /// The values of a motion packet, or of a row of a BVH file in the same order. Positions are in centimetres, angles of any size in
+    /// degrees.
     /// </param>
     /// <param name="layout">The layout of the values.</param>
     /// <param name="order">The order of the angles.</param>

@@ -65,8 +65,8 @@ public sealed class SkeletonBody
     /// Stretches the default body to an actor's sizes, as the command channel sends them. <see cref="Measure"/> returns the same sizes.
     /// </summary>
     /// <remarks>
-    /// Lengths that the twelve sizes do not cover follow their part of the body: the height of the shoulders follows the spine, the fingers follow
-    /// the palm. The hips are as high as the legs are long.
+    /// Lengths that the twelve sizes do not cover follow their part of the body. The height of the shoulders follows the spine, and the
+    /// fingers follow the palm. The hips are as high as the legs are long.
     /// </remarks>
     /// <param name="dimensions">The sizes.</param>
     /// <param name="variant">Determines the parent of the shoulders.</param>

@@ -47,8 +47,8 @@ internal sealed class FrameTiming
     /// <param name="time">Its arrival time.</param>
     /// <param name="connection">Number of its connection. The time between two connections says nothing.</param>
     /// <returns>
-    /// The distance from the previous frame, in frames: 1 if no frame is missing or the distance is unknown, and 0 for a frame that came after a later
-    /// one.
+    /// The distance from the previous frame, in frames. It is 1 if no frame is missing or the distance is unknown, and 0 for a frame that
+    /// came after a later one.
     /// </returns>
     public int Add(uint? index, TimeSpan time, int connection)
     {

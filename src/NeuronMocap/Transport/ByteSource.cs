@@ -3,8 +3,8 @@ using NeuronMocap.Transport;
 namespace NeuronMocap;
 
 /// <summary>
-/// Opens streams of bytes for a reader, in place of a network connection: for example a serial port, a tunnel, or the output of another program. Derive
-/// from this class, and set <see cref="NeuronReaderOptions.Source"/>.
+/// Opens streams of bytes for a reader, in place of a network connection. Examples are a serial port, a tunnel, or the output of another
+/// program. Derive from this class, and set <see cref="NeuronReaderOptions.Source"/>.
 /// </summary>
 /// <remarks>
 /// The bytes are those that a server sends over TCP. A reader opens the source when it starts, and again after each end or failure, as

@@ -28,11 +28,12 @@ public sealed class WebSocketSource : ByteSource
     /// <summary>Creates a source without connecting.</summary>
     /// <param name="address">The address of the server: <c>ws://</c> or <c>wss://</c>, a host, and usually a port.</param>
     /// <param name="token">
-    /// The word that the server asks for; null for none. It is sent in the header <c>Authorization</c>. A word with characters other than those of ASCII goes into
-    /// the query of the address, percent-encoded: <c>?token=w%C3%B6rd</c>.
+    /// The word that the server asks for; null for none. It is sent in the header <c>Authorization</c>. Write a word that is not all ASCII
+    /// into the query of the address, percent-encoded: <c>?token=w%C3%B6rd</c>.
     /// </param>
-    /// <exception cref="ArgumentException">The address has another scheme or is not absolute, or the token is empty, has spaces around it, or has characters other than those of
-    /// ASCII.</exception>
+    /// <exception cref="ArgumentException">
+    /// The address has another scheme or is not absolute, or the token is empty, has spaces around it, or is not all ASCII.
+    /// </exception>
     public WebSocketSource(Uri address, string? token = null)
     {
         ArgumentNullException.ThrowIfNull(address);

@@ -6,8 +6,8 @@ using NeuronMocap.Retargeting;
 namespace NeuronMocap.Tool.View.Characters;
 
 /// <summary>
-/// A pose of a character as the page receives it: the hips' position and the rotation of each bone, as values for the nodes of its file. Little endian.
-/// Thread-safe.
+/// A pose of a character as the page receives it. It has the hips' position and the rotation of each bone, as values for the nodes of the
+/// character's file. Little endian. Thread-safe.
 /// </summary>
 internal static class CharacterPose
 {

@@ -5,8 +5,8 @@ using NeuronMocap.Skeleton;
 namespace NeuronMocap.Tool.View.Characters;
 
 /// <summary>
-/// A character ready to be driven: its skeleton in the axes of <see cref="TargetRig"/>, in a T-pose that faces +Z above the origin, and the nodes that
-/// move. Immutable and thread-safe.
+/// A character ready to be driven: its skeleton and the nodes that move. The skeleton has the axes of <see cref="TargetRig"/> and a T-pose
+/// that faces +Z above the origin. Immutable and thread-safe.
 /// </summary>
 internal sealed class CharacterRig
 {

@@ -3,8 +3,8 @@ using System.Numerics;
 namespace NeuronMocap.Bvh;
 
 /// <summary>
-/// Creates a <see cref="BvhHierarchy"/>, joint by joint in the order of a file: depth first, each joint after its parent and after all descendants
-/// of its earlier siblings. Not thread-safe.
+/// Creates a <see cref="BvhHierarchy"/>, joint by joint in the order of a file. The order is depth first: each joint after its parent and
+/// after all descendants of its earlier siblings. Not thread-safe.
 /// </summary>
 public sealed class BvhHierarchyBuilder
 {

@@ -14,8 +14,8 @@ namespace NeuronMocap.Calculation;
 /// </para>
 /// <para>
 /// A bone has the rotation of its sensor. It is then turned along the shortest path to its recorded centre. Only the feet may move relative to the
-/// body, because the server holds them to the ground when both stand. docs/guide/calculation.md compares the result with recorded data. Finger
-/// motion is unknown: fingers follow the hand.
+/// body, because the server holds them to the ground when both stand. See docs/guide/calculation.md for a comparison with recorded data.
+/// Finger motion is unknown: fingers follow the hand.
 /// </para>
 /// </remarks>
 public sealed class CalculationSkeleton

@@ -4,8 +4,9 @@ using NeuronMocap.Skeleton;
 namespace NeuronMocap.Calculation;
 
 /// <summary>
-/// Measures hips and chest from all frames of a take: where the legs, the spine and the shoulders begin in the axes of the sensors, and how the two
-/// sensors are mounted. The X axis of the hips goes through both hip joints; the Y axis of the chest goes along the spine.
+/// Measures hips and chest from all frames of a take. It finds where the legs, the spine and the shoulders begin in the axes of the
+/// sensors, and how the two sensors are mounted. The X axis of the hips goes through both hip joints; the Y axis of the chest goes along
+/// the spine.
 /// </summary>
 internal sealed class TrunkMeasurement(SkeletonVariant variant)
 {

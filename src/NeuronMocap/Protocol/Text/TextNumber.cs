@@ -11,9 +11,9 @@ namespace NeuronMocap.Protocol;
 /// <remarks>
 /// <para>
 /// The short path handles nearly all numbers in motion files and text streams. It applies to a power of ten that a double holds exactly. With at most 53
-/// bits of digits, one operation gives the double nearest to the decimal; with more digits, the result is off by a few last bits. The conversion to a
-/// float rounds a second time. This fails only if the double lies halfway between two floats, or close to it. <see cref="TextDecimal"/> handles this case
-/// and other powers.
+/// bits of digits, one operation gives the double nearest to the decimal. With more digits, the result is off by a few last bits. The
+/// conversion to a float rounds a second time. This fails only if the double lies halfway between two floats, or close to it.
+/// <see cref="TextDecimal"/> handles this case and other powers.
 /// </para>
 /// <para>
 /// The parsers of the runtimes do not suffice. float.Parse rounds twice on Mono. Utf8Parser rounds up halfway between two floats if zeros follow the
@@ -56,7 +56,8 @@ internal static class TextNumber
     }
 
     /// <summary>
-    /// Reads a number of the most common form from the start of a longer text: digits, usually with a point among them, followed by white space.
+    /// Reads a number of the most common form from the start of a longer text. This form has digits, usually with a point among them,
+    /// followed by white space.
     /// </summary>
     /// <remarks>
     /// Use <see cref="TryParse(ReadOnlySpan{byte}, out float)"/> for all other forms, and for a number close to the end of the text.
