@@ -16,8 +16,8 @@ namespace NeuronMocap.Unity
         private const float SearchPeriod = 1; // s
 
         [SerializeField]
-        [Tooltip("The figure to follow: the hips of a Humanoid character, or of the figure whose driver is on this object, above it or below it. Otherwise its own "
-            + "position. Empty: the object stays.")]
+        [Tooltip("What to follow: the hips of a Humanoid character, or of the figure whose driver is on the target, above it or below it. Otherwise the "
+            + "target's own position. Empty: the camera stays.")]
         private Transform? _target;
 
         [SerializeField]
