@@ -164,14 +164,25 @@ public sealed class BroadcasterCalculationPortTests
         options.Calculation = CalculationSynthesizer.Write;
         options.FrameRate = 500;
         options.MaxFrames = 40;
-        await using Broadcaster broadcaster = Started(options);
+        var time = new ManualTime();
+        await using var broadcaster = new Broadcaster(options, time);
+        broadcaster.Start();
         using TestClient motion = await TestClient.ConnectAsync(broadcaster.LocalEndPoint);
         using TestClient calculation = await TestClient.ConnectAsync(broadcaster.CalculationEndPoint);
         for (int i = 0; i < 10; i++)
+        {
+            if (i > 0)
+                await time.PassAsync();
+
             Assert.NotNull(await motion.ReadAsync());
+        }
 
         Assert.True(broadcaster.ZeroOut(0));
-        List<byte[]> turnedMotion = await motion.ReadToEndAsync();
+        Task<List<byte[]>> reading = motion.ReadToEndAsync();
+        for (int i = 10; i < 40; i++)
+            await time.PassAsync();
+
+        List<byte[]> turnedMotion = await reading;
         List<byte[]> turnedCalculation = await calculation.ReadToEndAsync();
         uint lastFrame = Expect.FrameIndex(turnedMotion[^1]);
         float[] values = new float[946];

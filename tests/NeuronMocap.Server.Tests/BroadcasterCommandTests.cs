@@ -211,11 +211,23 @@ public sealed class BroadcasterCommandTests
         BroadcasterOptions options = Options(300);
         options.Format = BroadcastFormat.Text;
         options.MaxFrames = 60;
-        await using Broadcaster broadcaster = Started(options);
+        var time = new ManualTime();
+        await using var broadcaster = new Broadcaster(options, time);
+        broadcaster.Start();
         using var socket = new Socket(AddressFamily.InterNetwork, SocketType.Stream, ProtocolType.Tcp);
         await socket.ConnectAsync(broadcaster.LocalEndPoint!, TestContext.Current.CancellationToken).AsTask().Soon();
-        await socket.SendAsync(Requests.Create(4, 0), TestContext.Current.CancellationToken).Soon();
-        string text = await TextClient.ReadToEndAsync(socket);
+        Task<string> reading = TextClient.ReadToEndAsync(socket);
+        for (int frame = 1; frame < 60; frame++)
+        {
+            await time.PassAsync();
+            if (frame == 30)
+            {
+                await socket.SendAsync(Requests.Create(4, 0), TestContext.Current.CancellationToken).Soon();
+                await Limits.UntilAsync(() => broadcaster.GetStatistics().RepliesSent == 1);
+            }
+        }
+
+        string text = await reading;
 
         // All of the text is ASCII, but the two tokens of the reply are not.
         int begin = text.IndexOf('\uFFFD', StringComparison.Ordinal);

@@ -68,7 +68,7 @@ public sealed class BroadcasterPacedTests
     {
         const int Avatars = 30;
         BroadcasterOptions options = Options(Avatars);
-        options.FrameRate = 200;
+        options.FrameRate = 100;
         options.QueueCapacity = 200;
         await using Broadcaster broadcaster = Started(options);
         using TestClient idle = await TestClient.ConnectAsync(broadcaster.LocalEndPoint);

@@ -46,7 +46,7 @@ public sealed class BroadcasterRecordingTests
     public async Task A_loop_repeats_and_late_clients_start_at_a_packet()
     {
         using TemporaryFile file = Recordings.OfTcp((0, TestPackets.Motion(0)), (5, TestPackets.Motion(1)), (10, TestPackets.Motion(2)));
-        await using var broadcaster = new Broadcaster(new BroadcasterOptions { RecordingPath = file.Path, Port = 0, LoopRecording = true, RecordingSpeed = 5 });
+        await using var broadcaster = new Broadcaster(new BroadcasterOptions { RecordingPath = file.Path, Port = 0, LoopRecording = true, RecordingSpeed = 5, QueueCapacity = 20_000 });
         broadcaster.Start();
         for (int i = 0; i < 3; i++)
         {

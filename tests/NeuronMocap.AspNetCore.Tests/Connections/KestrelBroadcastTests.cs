@@ -70,7 +70,7 @@ public sealed class KestrelBroadcastTests
     {
         using var server = new TestServer();
         await using var source = new NeuronReader(server.Options());
-        await using var relay = new Broadcaster(new BroadcasterOptions { Reader = source, Port = null, QueueCapacity = 64, ClientTimeout = TimeSpan.FromSeconds(1) });
+        await using var relay = new Broadcaster(new BroadcasterOptions { Reader = source, Port = null, QueueCapacity = 64, ClientTimeout = TimeSpan.FromSeconds(4) });
         relay.Start();
         source.Start();
         using TestConnection motion = await server.AcceptAsync();

@@ -8,29 +8,41 @@ public sealed class TelemetryProcessTests
     [Fact]
     public async Task Frames_logs_and_connections_reach_the_collector()
     {
-        await using OtlpReceiver collector = await OtlpReceiver.StartAsync();
-        using var program = new ToolProcess("Telemetry", $"--Collector={collector.Url}", "--OTEL_METRIC_EXPORT_INTERVAL=200", "--Seconds=3");
-        Task<string> error = program.ReadErrorAsync();
-        string output = await program.Output.ReadToEndAsync();
-        int exitCode = await program.WaitForExitAsync();
-        Assert.True(exitCode == 0, output + await error);
+        // On a busy computer, three seconds can be too short for the first frame, or for an export while frames arrive.
+        await using OtlpReceiver quick = await OtlpReceiver.StartAsync();
+        bool isEnough = await RunAsync(quick, seconds: 3) && States(quick).Contains("neuron.connection.state=receiving");
+        await using OtlpReceiver slow = await OtlpReceiver.StartAsync();
+        OtlpReceiver collector = isEnough ? quick : slow;
+        Assert.True(isEnough || await RunAsync(slow, seconds: 60));
 
         OtlpMetric[] frames = [.. collector.Metrics.Where(metric => metric.Name == "neuron.reader.frames" && metric.Tags.Contains("neuron.frame.kind=motion"))];
         Assert.All(frames, metric => Assert.Equal("{frame}", metric.Unit));
         Assert.All(frames, metric => Assert.Contains("neuron.reader.name=stage", metric.Tags));
         Assert.Equal(frames.Select(metric => metric.Value).Order(), frames.Select(metric => metric.Value));
 
-        // 60 Hz for at most 3 s, plus time to start a process on a busy machine.
-        Assert.InRange(frames[^1].Value, 2, 400);
+        Assert.True(frames[^1].Value >= 2);
         Assert.Equal(0, collector.Metrics.Last(metric => metric.Name == "neuron.reader.lost").Value);
-        Assert.InRange(collector.Metrics.Last(metric => metric.Name == "neuron.reader.frame.interval").Value, 1, 400);
-        string[] states = [.. collector.Metrics.Where(metric => metric is { Name: "neuron.reader.state", Value: 1 }).SelectMany(metric => metric.Tags)];
+        Assert.InRange(collector.Metrics.Last(metric => metric.Name == "neuron.reader.frame.interval").Value, 1, frames[^1].Value);
+        string[] states = States(collector);
         Assert.Contains("neuron.connection.state=receiving", states);
 
         // The last export comes from a stopped reader.
         Assert.Contains("neuron.connection.state=stopped", states);
         Assert.Contains("Receiving from", Text(collector.Logs), StringComparison.Ordinal);
         Assert.Contains("Receiving from", Text(collector.Traces), StringComparison.Ordinal);
+
+        static string[] States(OtlpReceiver collector) =>
+            [.. collector.Metrics.Where(metric => metric is { Name: "neuron.reader.state", Value: 1 }).SelectMany(metric => metric.Tags)];
+
+        static async Task<bool> RunAsync(OtlpReceiver collector, int seconds)
+        {
+            using var program = new ToolProcess("Telemetry", $"--Collector={collector.Url}", "--OTEL_METRIC_EXPORT_INTERVAL=200", $"--Seconds={seconds}");
+            Task<string> error = program.ReadErrorAsync();
+            string output = await program.Output.ReadToEndAsync();
+            int exitCode = await program.WaitForExitAsync();
+            Assert.True(exitCode == 0 || (await error).Contains("No frame arrived", StringComparison.Ordinal), output + await error);
+            return exitCode == 0;
+        }
     }
 
     [Fact]

@@ -40,7 +40,7 @@ public sealed class AddressTests
         using var server = new TestServer(IPAddress.Parse("127.0.77.3"), blackHole.Port);
         var options = new LinkOptions("suit-pc", blackHole.Port)
         {
-            ConnectTimeout = TimeSpan.FromSeconds(2), // the working address has the same limit
+            ConnectTimeout = TimeSpan.FromSeconds(4), // the working address has the same limit
             Resolve = _ => Task.FromResult<IPAddress[]>([IPAddress.Loopback, IPAddress.Parse("127.0.77.3")]),
         };
         await AssertReceivesAsync(new NeuronReader(server.Options(), () => new TcpLink(options)), server);

@@ -225,6 +225,9 @@ public sealed class SourceReaderTests
     public async Task A_source_that_does_not_open_is_the_thing_to_check()
     {
         await using var reader = new NeuronReader(Options(source: new ListedSource()));
+        var log = new StatusLog(reader);
+        reader.Start();
+        await log.WaitAsync(ConnectionState.Connecting);
         NeuronConnectionException exception =
             await Assert.ThrowsAsync<NeuronConnectionException>(() => reader.StartAsync(TimeSpan.FromMilliseconds(50), TestContext.Current.CancellationToken)).Soon();
         Assert.Equal(ConnectionReason.TimedOut, exception.Reason);

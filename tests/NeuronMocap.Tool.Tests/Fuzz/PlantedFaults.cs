@@ -28,7 +28,7 @@ internal static class PlantedFaults
     /// <summary>A parser that does not return.</summary>
     /// <param name="end">Releases its thread.</param>
     public static FuzzTarget Hang(ManualResetEventSlim end) =>
-        Create("hang", _ => end.Wait()) with { TimeLimit = TimeSpan.FromMilliseconds(200) };
+        Create("hang", _ => end.Wait()) with { TimeLimit = TimeSpan.FromSeconds(2) };
 
     // An inlined array of which only the length is used is not allocated in optimized code.
     [MethodImpl(MethodImplOptions.NoInlining)]

@@ -96,7 +96,7 @@ public sealed class RelayRunTests : IDisposable
     [Fact]
     public async Task A_terminal_gets_a_table()
     {
-        ToolResult result = await ToolRunner.RunOnTerminalAsync(120, "relay", "demo", "tcp://127.0.0.1:0", "--duration", "1.5");
+        ToolResult result = await ToolRunner.RunOnTerminalAsync(120, "relay", "demo", "tcp://127.0.0.1:0", "--duration", "4");
         Assert.Equal(0, result.ExitCode);
         Assert.Contains(result.Output, static line => line.StartsWith("Listening on 127.0.0.1:", StringComparison.Ordinal));
         if (Screen.IsSupported)

@@ -36,12 +36,16 @@ public sealed class LiveSessionTests
                 await motion.CloseAsync();
             }
 
-            // Its tab is hidden. A frame on its way may still be counted.
+            // Its tab is hidden. A frame on its way may still be counted, but then no more.
             await Limits.UntilAsync(() => hub.Clients == 0 && live.MotionClients == 0);
-            await PassFramesAsync(reader, 2);
-            (long, long) after = (live.Poses.Encoded, live.Motion.FramesTaken);
-            await PassFramesAsync(reader);
-            Assert.Equal(after, (live.Poses.Encoded, live.Motion.FramesTaken));
+            (long, long) before, after = (-1, -1);
+            do
+            {
+                before = after;
+                await PassFramesAsync(reader);
+                after = (live.Poses.Encoded, live.Motion.FramesTaken);
+            }
+            while (after != before);
 
             // It is shown again.
             using ViewSocket again = await ConnectAsync(server, "/motion");

@@ -37,6 +37,7 @@ public class DiagnosisTests
     public async Task The_button_reports_another_program()
     {
         using var world = new EditorWorld();
+        DiagnosisPanel.Options = new DiagnosisOptions { Timeout = TimeSpan.FromSeconds(10), SearchOtherPorts = false };
         using var server = new TestServer();
         world.AddSource(source => source.Port = server.Port);
         Task greeting = GreetAsync(server, "SSH-2.0-OpenSSH_9.6\r\n"u8.ToArray());
@@ -51,6 +52,7 @@ public class DiagnosisTests
     public async Task The_button_reports_arriving_frames()
     {
         using var world = new EditorWorld();
+        DiagnosisPanel.Options = new DiagnosisOptions { Timeout = TimeSpan.FromSeconds(10), SearchOtherPorts = false };
         using var server = new Server.Broadcaster(new Server.BroadcasterOptions { Port = 0, Sources = [new Server.SyntheticSource(60, 0)] });
         server.Start();
         world.AddSource(source => source.Port = server.LocalEndPoint!.Port);

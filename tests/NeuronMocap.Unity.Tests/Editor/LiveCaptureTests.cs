@@ -1,3 +1,4 @@
+using System.Diagnostics;
 using NeuronMocap.Unity.EditorTools;
 using NeuronMocap.Unity.LiveCapture;
 using NeuronMocap.Unity.Tests.Drivers;
@@ -135,7 +136,14 @@ public sealed class LiveCaptureTests
         world.Loop.RunUntil(() => Tick() && isReady());
         LiveRecorder.StartRecording();
         world.Loop.RunUntil(() => Tick() && LiveRecorder.IsRecording());
-        world.Loop.RunFor(0.4f);
+
+        // The device takes a frame of each thirtieth of a second, however long the frames of the game are.
+        for (int i = 0; i < 8; i++)
+        {
+            var time = Stopwatch.StartNew();
+            world.Loop.RunUntil(() => time.Elapsed.TotalSeconds > 0.04);
+        }
+
         LiveRecorder.StopRecording();
 
         static bool Tick()

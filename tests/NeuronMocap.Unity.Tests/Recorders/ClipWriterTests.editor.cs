@@ -21,7 +21,7 @@ public sealed class ClipWriterTests : IDisposable
         recorder.FileName = "walk {take}";
         _loop.RunUntil(() => Stage.IsLive(source));
         Assert.True(recorder.StartRecording());
-        _loop.RunFor(0.5f);
+        _loop.RunUntil(() => recorder.Take!.FrameCount >= 30);
         ClipTake take = recorder.Take!;
         AnimationUtility.Syncs = 0;
         EditorUtility.Progress.Clear();

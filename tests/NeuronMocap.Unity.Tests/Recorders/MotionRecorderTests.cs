@@ -121,7 +121,9 @@ public sealed class MotionRecorderTests : IDisposable
         _loop.ExitPlayMode();
 
         string file = Directory.GetFiles(_folder.FullName).Single();
-        Assert.True(BvhDocument.Load(file).FrameCount >= frames);
+
+        // The game waits only a moment for the disk.
+        Assert.True(SpinWait.SpinUntil(() => BvhDocument.Load(file).FrameCount >= frames, Limits.Unexpected));
     }
 
     [Fact]

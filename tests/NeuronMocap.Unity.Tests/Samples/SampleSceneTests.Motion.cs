@@ -19,9 +19,15 @@ public sealed partial class SampleSceneTests
         // Each source takes the time of its own update, so the two may differ in single frames.
         _loop.RunUntil(() => IsMirrored(0.003f));
 
-        Click(desk, "Recenter (key R)");
-        _loop.Frame();
-        Assert.True(DistanceFromCenter() < 0.5f);
+        // The walker goes on. On a busy computer, it can be far away after a single frame.
+        _loop.RunUntil(() =>
+        {
+            if (DistanceFromCenter() < 0.5f)
+                return true;
+
+            Click(desk, "Recenter (key R)");
+            return false;
+        });
         _loop.RunUntil(() => IsMirrored(0.2f));
 
         Click(desk, "Undo Recenter");

@@ -80,7 +80,8 @@ public sealed class SourceHandlerTests : SourceFixture
         server.Dispose();
         source.PerformerLeft += _ => source.enabled = false;
 
-        // The game renders no frame until both are gone, so they leave in the same frame.
+        // The game renders no frame until both are gone, so they leave in the same frame. No frame is on its way after the end of the connection.
+        Assert.True(SpinWait.SpinUntil(() => source.Reader!.Completion.IsCompleted, Limits.Unexpected));
         Assert.True(SpinWait.SpinUntil(() => performers.All(performer => SourceClock.Now - performer.Stream.LastArrival > SourceClock.ToTicks(0.2)), Limits.Unexpected));
         Loop.Frames(3);
 
@@ -127,7 +128,8 @@ public sealed class SourceHandlerTests : SourceFixture
             sources[0].Open();
         };
 
-        // The game renders no frame until both are gone, so they leave in the same frame.
+        // The game renders no frame until both are gone, so they leave in the same frame. No frame is on its way after the end of the connection.
+        Assert.True(SpinWait.SpinUntil(() => sources[0].Reader!.Completion.IsCompleted, Limits.Unexpected));
         Assert.True(SpinWait.SpinUntil(() => performers.All(performer => SourceClock.Now - performer.Stream.LastArrival > SourceClock.ToTicks(0.2)), Limits.Unexpected));
         Loop.Frames(3);
 

@@ -79,7 +79,7 @@ public sealed class SourceLifetimeTests : SourceFixture
         Broadcaster server = Serve(new SyntheticSource());
         Add(server);
         double quickest = double.PositiveInfinity;
-        for (int i = 1; i <= 3; i++)
+        for (int i = 1; i <= 3 || (i <= 20 && quickest > Quick); i++)
         {
             Loop.EnterPlayMode(reloadDomain);
             MocapSource source = Assert.Single(MocapSource.All);

@@ -225,7 +225,7 @@ public sealed class RecordingPlayerTests
     {
         using TemporaryFile file = Played.Frames(2, interval: 3_600_000);
         using RecordingPlayer player = RecordingPlayer.Open(file.Path);
-        await using var reader = new NeuronReader(player, new NeuronReaderOptions { SilenceTimeout = TimeSpan.FromSeconds(0.1) });
+        await using var reader = new NeuronReader(player, new NeuronReaderOptions { SilenceTimeout = TimeSpan.FromSeconds(1) });
         var statuses = new StatusLog(reader);
         reader.MotionReceived += _ => player.Pause();
         reader.Start();
@@ -234,7 +234,7 @@ public sealed class RecordingPlayerTests
         // Another recording that plays on and is silent for as long starts after it, and its silence is reported.
         using TemporaryFile other = Played.Frames(2, interval: 3_600_000);
         using RecordingPlayer playing = RecordingPlayer.Open(other.Path);
-        await using var control = new NeuronReader(playing, new NeuronReaderOptions { SilenceTimeout = TimeSpan.FromSeconds(0.2) });
+        await using var control = new NeuronReader(playing, new NeuronReaderOptions { SilenceTimeout = TimeSpan.FromSeconds(1.5) });
         var controlled = new StatusLog(control);
         control.Start();
         await controlled.WaitAsync(ConnectionState.Silent);

@@ -148,7 +148,13 @@ public sealed class RecorderFilesTests : RecorderTest
         using RecordingReader second = RecordingReader.Open(Folder.PathOf("take.0002.nmrec"));
         Assert.True(first.Duration < TimeSpan.FromSeconds(1));
         Assert.True(second.StartTime - first.StartTime >= TimeSpan.FromSeconds(1));
-        Assert.Equal(Sent, first.Totals!.Value.Pieces + second.Totals!.Value.Pieces);
+
+        // On a busy computer, there can be more of them.
+        Assert.Equal(Sent, Folder.Files.Sum(name =>
+        {
+            using RecordingReader file = RecordingReader.Open(Folder.PathOf(name));
+            return file.Totals!.Value.Pieces;
+        }));
     }
 
     private Task FillAsync(StreamRecorder recorder, int files) =>
