@@ -51,6 +51,7 @@ public abstract class SourceFixture : IDisposable
     internal static MocapSource Add(Action<MocapSource> set)
     {
         MocapSource source = new GameObject("Source").AddComponent<MocapSource>();
+        source.IdleTimeout = Stage.Patience;
         set(source);
         return source;
     }

@@ -8,6 +8,9 @@ namespace NeuronMocap.Unity.Tests.Infrastructure;
 /// <summary>Sources for tests: the built-in simulator, and a broadcaster over loopback with performers of given sizes.</summary>
 internal static class Stage
 {
+    // Seconds without data until performers are idle. On a busy computer, the thread that sends can be late by a second.
+    public const float Patience = 30;
+
     public static MocapSource AddSimulator(int performers = 1)
     {
         var holder = new GameObject("Simulator");
@@ -15,6 +18,7 @@ internal static class Stage
         var source = holder.AddComponent<MocapSource>();
         source.Kind = SourceKind.Simulator;
         source.PerformerCount = performers;
+        source.IdleTimeout = Patience;
         holder.SetActive(true);
         return source;
     }
@@ -27,6 +31,7 @@ internal static class Stage
         source.Kind = SourceKind.Network;
         source.Address = IPAddress.Loopback.ToString();
         source.Port = server.LocalEndPoint!.Port;
+        source.IdleTimeout = Patience;
         holder.SetActive(true);
         return source;
     }

@@ -164,13 +164,20 @@ public sealed partial class SampleSceneTests
         suit.Source!.Resample = false;
         (float rawSteps, float smoothSteps) = (0, 0);
         (Quaternion Raw, Quaternion Smooth) last = Heads();
-        for (int i = 0; i < 60; i++)
+        for (int steps = 0; steps < 60;)
         {
             double time = suit.Source.Performers[0].Time;
             _loop.RunUntil(() => suit.Source.Performers[0].Time != time);
             (Quaternion Raw, Quaternion Smooth) now = Heads();
-            rawSteps += Quaternion.Angle(last.Raw, now.Raw);
-            smoothSteps += Quaternion.Angle(last.Smooth, now.Smooth);
+
+            // A busy computer leaves frames out. In such a step, there is more motion than noise.
+            if (suit.Source.Performers[0].Time - time < 0.025)
+            {
+                rawSteps += Quaternion.Angle(last.Raw, now.Raw);
+                smoothSteps += Quaternion.Angle(last.Smooth, now.Smooth);
+                steps++;
+            }
+
             last = now;
         }
 

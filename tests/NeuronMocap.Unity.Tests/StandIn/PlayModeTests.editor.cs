@@ -36,6 +36,14 @@ public sealed class PlayModeTests : IDisposable
     }
 
     [Fact]
+    public void Another_project_ends_the_game()
+    {
+        _loop.EnterPlayMode();
+        using var next = new PlayerLoop(play: false);
+        Assert.False(EditorApplication.isPlayingOrWillChangePlaymode);
+    }
+
+    [Fact]
     public void The_editor_reports_its_steps_in_order()
     {
         EditorApplication.playModeStateChanged += change => _events.Add($"{change}");

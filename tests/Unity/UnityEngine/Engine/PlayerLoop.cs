@@ -22,11 +22,12 @@ internal sealed class PlayerLoop : IDisposable
     private double _played;
     private TimeSpan _lastFrame;
 
-    /// <summary>Creates a loop with an empty scene.</summary>
+    /// <summary>Creates a loop with an empty scene. A game that still plays ends first, as a person must end it to open another project.</summary>
     /// <param name="play">False to stay in edit mode.</param>
     public PlayerLoop(bool play = true)
     {
         MainThread.Claim();
+        EndGame();
         Reset();
         PlayMode.Loop = this;
         PlayMode.Start(play);
@@ -137,11 +138,15 @@ internal sealed class PlayerLoop : IDisposable
     public void Dispose()
     {
         MainThread.Claim();
-        if (World.IsPlaying)
-            PlayMode.Exit();
-
+        EndGame();
         Reset();
         PlayMode.Loop = null;
+    }
+
+    private static void EndGame()
+    {
+        if (World.IsPlaying)
+            PlayMode.Exit();
     }
 
     private static void Reset()
