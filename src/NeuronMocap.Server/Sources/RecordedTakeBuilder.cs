@@ -2,21 +2,23 @@ using NeuronMocap.Skeleton;
 
 namespace NeuronMocap.Server.Sources;
 
-/// <summary>Collects the frames of one avatar in the order in which the server numbered them.</summary>
+/// <summary>Collects the frames of one avatar of one sender in the order in which the server numbered them.</summary>
 internal sealed class RecordedTakeBuilder
 {
     // The same limit as in a reader. After a larger step back, the server has restarted its numbers.
     private const int LargestDisorder = 63;
 
-    private readonly SortedDictionary<int, string> _others = [];
+    private readonly SortedDictionary<(int Avatar, int Sender), string> _others = [];
     private uint? _contactsIndex;
     private FootContacts _contacts;
 
-    public RecordedTakeBuilder(int? avatarIndex) => AvatarIndex = avatarIndex;
+    public RecordedTakeBuilder(int? avatarIndex, int? sender) => (AvatarIndex, Sender) = (avatarIndex, sender);
 
     public List<RecordedTakeRow> Rows { get; } = [];
 
     public int? AvatarIndex { get; private set; }
+
+    public int? Sender { get; private set; }
 
     public string AvatarName { get; private set; } = "";
 
@@ -25,7 +27,7 @@ internal sealed class RecordedTakeBuilder
     public SkeletonFormat Format { get; private set; }
 
     /// <summary>Other avatars with poses in the recording.</summary>
-    public IReadOnlyDictionary<int, string> Others => _others;
+    public IReadOnlyDictionary<(int Avatar, int Sender), string> Others => _others;
 
     public bool HasContacts { get; private set; }
 
@@ -36,7 +38,7 @@ internal sealed class RecordedTakeBuilder
             case MotionFrame { HasSkeleton: true } motion:
                 AddMotion(motion, time, connection);
                 break;
-            case CalculationFrame { BoneCount: > 0 } calculation when AvatarIndex is null || calculation.AvatarIndex == AvatarIndex:
+            case CalculationFrame { BoneCount: > 0 } calculation when IsWanted(calculation):
                 AddContacts(calculation);
                 break;
             default:
@@ -44,15 +46,17 @@ internal sealed class RecordedTakeBuilder
         }
     }
 
+    private bool IsWanted(AvatarFrame frame) => frame.AvatarIndex == (AvatarIndex ?? frame.AvatarIndex) && frame.Sender == (Sender ?? frame.Sender);
+
     private void AddMotion(MotionFrame frame, TimeSpan time, int connection)
     {
-        AvatarIndex ??= frame.AvatarIndex;
-        if (frame.AvatarIndex != AvatarIndex)
+        if (!IsWanted(frame))
         {
-            _others[frame.AvatarIndex] = frame.AvatarName;
+            _others[(frame.AvatarIndex, frame.Sender)] = frame.AvatarName;
             return;
         }
 
+        (AvatarIndex, Sender) = (frame.AvatarIndex, frame.Sender);
         if (Rows.Count == 0)
             (AvatarName, Layout, Format) = (frame.AvatarName, frame.Layout, frame.Format);
 

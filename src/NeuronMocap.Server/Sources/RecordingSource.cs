@@ -27,6 +27,7 @@ public sealed class RecordingSource : MotionSource
     private RecordingSource(RecordedTakeBuilder builder, RecordingMetadata? metadata, double? evenRate)
     {
         AvatarIndex = builder.AvatarIndex!.Value;
+        Sender = builder.Sender!.Value;
         AvatarName = builder.AvatarName;
         ReceivedFrames = builder.Rows.Count;
         Layout = builder.Layout;
@@ -39,6 +40,9 @@ public sealed class RecordingSource : MotionSource
 
     /// <summary>Index of the avatar on the server.</summary>
     public int AvatarIndex { get; }
+
+    /// <summary>Number of the sender that the frames came from, as <see cref="AvatarFrame.Sender"/> counts. It is 0 except over UDP.</summary>
+    public int Sender { get; }
 
     /// <summary>Name of the avatar in its first frame.</summary>
     public string AvatarName { get; }
@@ -99,6 +103,7 @@ public sealed class RecordingSource : MotionSource
     /// <summary>Loads a file.</summary>
     /// <param name="path">Path of a recording, or of the raw bytes of a stream.</param>
     /// <param name="avatarIndex">Index of the avatar; null for the first avatar that has a pose.</param>
+    /// <param name="sender">Number of the sender; null for the first one that sends a pose of the avatar.</param>
     /// <param name="options">How to read the file; null for the format that the file states.</param>
     /// <param name="progress">Receives progress, 0 to 1; may be null.</param>
     /// <param name="cancellationToken">Cancels the reading.</param>
@@ -112,12 +117,13 @@ public sealed class RecordingSource : MotionSource
     public static RecordingSource Load(
         string path,
         int? avatarIndex = null,
+        int? sender = null,
         PlaybackOptions? options = null,
         IProgress<double>? progress = null,
         CancellationToken cancellationToken = default)
     {
         using RecordedFrameReader reader = RecordedFrameReader.Open(path, options);
-        var builder = new RecordedTakeBuilder(avatarIndex);
+        var builder = new RecordedTakeBuilder(avatarIndex, sender);
         while (reader.Read())
         {
             cancellationToken.ThrowIfCancellationRequested();
@@ -184,8 +190,13 @@ public sealed class RecordingSource : MotionSource
 
     private static string DescribeLack(RecordedTakeBuilder builder) => builder.Others.Count == 0
         ? "It has no motion frame with the 59 bones."
-        : $"It has no pose of avatar {builder.AvatarIndex}; there {(builder.Others.Count == 1 ? "is" : "are")} "
-            + string.Join(", ", builder.Others.Select(static other => $"{other.Key} ({other.Value})")) + ".";
+        : $"It has no pose of {DescribeWanted(builder)}; there {(builder.Others.Count == 1 ? "is" : "are")} "
+            + string.Join(", ", builder.Others.Select(static other => $"{DescribeAvatar(other.Key.Avatar, other.Key.Sender)} ({other.Value})")) + ".";
+
+    private static string DescribeWanted(RecordedTakeBuilder builder) =>
+        builder.AvatarIndex is { } avatar ? $"avatar {DescribeAvatar(avatar, builder.Sender ?? 0)}" : $"sender {builder.Sender}";
+
+    private static string DescribeAvatar(int avatar, int sender) => sender == 0 ? $"{avatar}" : $"{avatar} of sender {sender}";
 
     private SkeletonBody FindBody()
     {

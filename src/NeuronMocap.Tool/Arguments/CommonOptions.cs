@@ -90,6 +90,15 @@ internal static class CommonOptions
         Arity = ArgumentArity.ExactlyOne,
     };
 
+    /// <summary>The number of a sender in a file.</summary>
+    public static Option<int?> Sender() => new("--sender")
+    {
+        HelpName = "N",
+        Description = "For a recording of several UDP senders: number of the sender, from 0. Default: the first.",
+        CustomParser = static result => NumberArgument.ParseWhole(result, 0, int.MaxValue, "a sender number, from 0"),
+        Arity = ArgumentArity.ExactlyOne,
+    };
+
     public static Option<int?> Port(string name, string description) => new(name)
     {
         HelpName = "PORT",

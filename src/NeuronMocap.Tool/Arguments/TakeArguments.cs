@@ -22,6 +22,7 @@ internal sealed class TakeArguments
     private readonly Option<double?> _rate = CommonOptions.Rate();
     private readonly Option<RotationOrder?> _order = CommonOptions.StreamOrder();
     private readonly Option<int?> _avatar = CommonOptions.Avatar("For a recording: number of the avatar, from 0. Default: the first.");
+    private readonly Option<int?> _sender = CommonOptions.Sender();
 
     /// <summary>Creates the arguments.</summary>
     /// <param name="outputName">Name of the output file in the help.</param>
@@ -39,7 +40,7 @@ internal sealed class TakeArguments
 
     public Argument[] Files => [_input, _output];
 
-    public Option[] Options => [_from, _to, _avatar, _rate, _order, _overwrite];
+    public Option[] Options => [_from, _to, _avatar, _sender, _rate, _order, _overwrite];
 
     /// <summary>Gets the file to write. Null if it is missing, which the parser reports.</summary>
     public string? FindOutput(CommandResult result) => result.GetResult(_output) is { Tokens: [var output] } ? output.Value : null;
@@ -56,6 +57,7 @@ internal sealed class TakeArguments
         From = result.GetValue(_from),
         To = result.GetValue(_to),
         Avatar = result.GetValue(_avatar),
+        Sender = result.GetValue(_sender),
         InputRate = result.GetValue(_rate),
         InputOrder = result.GetValue(_order),
         Overwrite = result.GetValue(_overwrite),

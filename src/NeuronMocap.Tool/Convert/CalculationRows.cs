@@ -26,7 +26,7 @@ internal static class CalculationRows
         double rate = settings.InputRate ?? found.Times.Rate ?? CalculationReadOptions.DefaultFrameRate;
         using (var writer = new CalculationFileWriter(output, found.ValueCount, CalculationTextFormat.AxisNeuron.WithFrameRate(rate)))
         {
-            foreach (CalculationFrame frame in Read(settings, range, found.Avatar, progress, cancellationToken))
+            foreach (CalculationFrame frame in Read(settings, range, found, progress, cancellationToken))
             {
                 if (frame.Values.Length == writer.ValueCount)
                     writer.WriteFrame(frame.Values);
@@ -43,7 +43,7 @@ internal static class CalculationRows
 
         summary.AddLoss("times of arrival, and the avatar's name and number");
         StreamWarnings.AddRest(
-            summary, settings, frame => frame is CalculationFrame { BoneCount: > 0 } && frame.AvatarIndex == found.Avatar, cancellationToken);
+            summary, settings, frame => frame is CalculationFrame { BoneCount: > 0 } && found.Selects(frame), cancellationToken);
         return true;
     }
 
@@ -62,7 +62,7 @@ internal static class CalculationRows
         using var text = new MemoryStream();
         using (var writer = new CalculationFileWriter(text, found.ValueCount, leaveOpen: true))
         {
-            foreach (CalculationFrame frame in Read(settings, default, found.Avatar, progress, cancellationToken))
+            foreach (CalculationFrame frame in Read(settings, default, found, progress, cancellationToken))
             {
                 if (frame.Values.Length == writer.ValueCount)
                     writer.WriteFrame(frame.Values);
@@ -83,10 +83,10 @@ internal static class CalculationRows
         {
             cancellationToken.ThrowIfCancellationRequested();
             progress.Report(PartOf(reader));
-            hasPoses |= reader.Frame is MotionFrame { HasSkeleton: true } && reader.Frame.AvatarIndex == (settings.Avatar ?? reader.Frame.AvatarIndex);
-            if (reader.Frame is not CalculationFrame { BoneCount: > 0 } frame || frame.AvatarIndex != (found?.Avatar ?? settings.Avatar ?? frame.AvatarIndex))
+            hasPoses |= StreamTable.Selects(settings, reader.Frame);
+            if (reader.Frame is not CalculationFrame { BoneCount: > 0 } frame || !(found?.Selects(frame) ?? settings.Selects(frame)))
                 continue;
-            found ??= new Found(frame.AvatarIndex, frame.AvatarName, frame.Values.Length, new RowTimes());
+            found ??= new Found(frame.Sender, frame.AvatarIndex, frame.AvatarName, frame.Values.Length, new RowTimes());
             if (frame.Values.Length == found.ValueCount)
                 found.Times.Add(frame.FrameIndex, reader.Time, reader.Connection, range.Contains(reader.Time));
         }
@@ -96,22 +96,24 @@ internal static class CalculationRows
 
     // Each frame is valid until the next one.
     private static IEnumerable<CalculationFrame> Read(
-        FileSettings settings, TimeRange range, int avatar, IProgress<double> progress, CancellationToken cancellationToken)
+        FileSettings settings, TimeRange range, Found avatar, IProgress<double> progress, CancellationToken cancellationToken)
     {
         using RecordedFrameReader reader = RecordedFrameReader.Open(settings.Input, settings.Playback);
         while (reader.Read())
         {
             cancellationToken.ThrowIfCancellationRequested();
             progress.Report(PartOf(reader));
-            if (reader.Frame is CalculationFrame { BoneCount: > 0 } frame && frame.AvatarIndex == avatar && range.Contains(reader.Time))
+            if (reader.Frame is CalculationFrame { BoneCount: > 0 } frame && avatar.Selects(frame) && range.Contains(reader.Time))
                 yield return frame;
         }
     }
 
     private static double PartOf(RecordedFrameReader reader) => reader.Duration > TimeSpan.Zero ? reader.Time / reader.Duration : 0;
 
-    private sealed record Found(int Avatar, string AvatarName, int ValueCount, RowTimes Times)
+    private sealed record Found(int Sender, int Avatar, string AvatarName, int ValueCount, RowTimes Times)
     {
         public bool HasPoses { get; init; }
+
+        public bool Selects(AvatarFrame frame) => (frame.Sender, frame.AvatarIndex) == (Sender, Avatar);
     }
 }

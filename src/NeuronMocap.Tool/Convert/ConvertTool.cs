@@ -114,6 +114,8 @@ internal sealed class ConvertTool(FileSettings settings, StandardStreams streams
             throw new NeuronException("--order: the bytes of a stream are copied as they were received.");
         if (settings.Avatar is not null)
             throw new NeuronException("--avatar: the bytes of a stream are copied as they were received, of all avatars.");
+        if (settings.Sender is not null)
+            throw new NeuronException("--sender: the bytes of a stream are copied as they were received, of all senders.");
 
         if (from == FileKind.Raw && to == FileKind.Recording)
         {

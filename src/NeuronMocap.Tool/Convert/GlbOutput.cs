@@ -59,17 +59,17 @@ internal sealed class GlbOutput(
         if (starts.Avatars.Count == 0)
             throw TimeRange.NoFrames(starts.Duration);
 
-        foreach (int avatar in starts.Avatars.Keys)
+        foreach ((int sender, int avatar) in starts.Avatars.Keys)
         {
-            RecordingSource source = RecordingSource.Load(settings.Input, avatar, settings.Playback, progress, cancellationToken);
+            RecordingSource source = RecordingSource.Load(settings.Input, avatar, sender, settings.Playback, progress, cancellationToken);
             // Avatars of a server move at the same instants, although their frames arrive one after the other.
-            Add(glb, source, source.AvatarName, avatar, range.FramesOf(source), first =>
+            Add(glb, source, source.AvatarName, sender + avatar, range.FramesOf(source), first =>
                 FrameTimes.Of(Math.Max((long)Math.Round((source.GetTime(first) - starts.First).TotalSeconds * source.FrameRate), 0), source.FrameRate));
             AddStreamWarnings(source, range);
         }
 
         StreamWarnings.AddRest(
-            summary, settings, frame => frame is MotionFrame { HasSkeleton: true } && starts.Avatars.ContainsKey(frame.AvatarIndex), cancellationToken);
+            summary, settings, frame => frame is MotionFrame { HasSkeleton: true } && starts.Avatars.ContainsKey((frame.Sender, frame.AvatarIndex)), cancellationToken);
         summary.AddLoss("times of arrival");
     }
 

@@ -60,7 +60,7 @@ internal sealed record InputTake(MotionSource Motion, ChannelLayout Layout, Rota
         if (CalculationRows.TryLoad(settings, range, progress, cancellationToken) is { } calculation)
             return Of(calculation.Document, calculation.AvatarName) with { Range = range, Rows = calculation.Rows };
 
-        RecordingSource source = RecordingSource.Load(settings.Input, settings.Avatar, settings.Playback, progress, cancellationToken);
+        RecordingSource source = RecordingSource.Load(settings.Input, settings.Avatar, settings.Sender, settings.Playback, progress, cancellationToken);
         return new InputTake(source, source.Layout, source.Format.RotationOrder, source.AvatarName) { Range = range };
     }
 }

@@ -15,13 +15,16 @@ internal sealed class StreamAvatar
     private long _frames;
     private long _place;
 
-    public StreamAvatar(string name, SkeletonBody body)
+    public StreamAvatar(int number, string name, SkeletonBody body)
     {
-        (Name, Body) = (name, body);
+        (Number, Name, Body) = (number, name, body);
         _pauses = new PauseFinder(() => (_timing.MeasuredRate ?? Rate) * Step);
     }
 
-    /// <summary>Its name in its first frame.</summary>
+    /// <summary>Its number in a table: that of the avatar, or another one if an avatar of another sender has it.</summary>
+    public int Number { get; }
+
+    /// <summary>Its name in its first frame. With another number than its own, also the number and the sender.</summary>
     public string Name { get; }
 
     /// <summary>The body that gives positions that its frames lack.</summary>

@@ -10,12 +10,12 @@ namespace NeuronMocap.Tool.Convert;
 /// (<see cref="PauseFinder"/>). The time between two runs is that between their arrivals, or the length of the pause. Frames without number or
 /// rate have their time of arrival.
 /// </remarks>
-internal sealed class StreamClock(IReadOnlyDictionary<int, StreamAvatar> avatars)
+internal sealed class StreamClock(IReadOnlyDictionary<(int Sender, int Avatar), StreamAvatar> avatars)
 {
     // The frames of all avatars at one moment have the same number and arrive one after the other.
     private static readonly TimeSpan SameMoment = TimeSpan.FromSeconds(0.25);
 
-    private readonly Dictionary<int, Run> _runs = [];
+    private readonly Dictionary<StreamAvatar, Run> _runs = [];
     private Start? _lastStart;
 
     // How far the last frame is from its arrival, because the clock of the server differs from the usual rate.
@@ -23,12 +23,12 @@ internal sealed class StreamClock(IReadOnlyDictionary<int, StreamAvatar> avatars
 
     public TimeSpan TimeOf(AvatarFrame frame, TimeSpan arrival, int connection)
     {
-        StreamAvatar avatar = avatars[frame.AvatarIndex];
+        StreamAvatar avatar = avatars[(frame.Sender, frame.AvatarIndex)];
         if (!avatar.IsNumbered || avatar.Rate is not { } rate || frame.FrameIndex is not { } index)
             return arrival;
 
-        if (!_runs.TryGetValue(frame.AvatarIndex, out Run? run))
-            _runs.Add(frame.AvatarIndex, run = new Run(avatar.GetPauses()));
+        if (!_runs.TryGetValue(avatar, out Run? run))
+            _runs.Add(avatar, run = new Run(avatar.GetPauses()));
 
         double perSecond = rate * avatar.Step;
         if (!run.Continues(index, connection, out TimeSpan? pause))

@@ -8,11 +8,15 @@ namespace NeuronMocap.Tool.Convert;
 /// <summary>What a first pass over a stream finds: its avatars, their rate and the gaps.</summary>
 internal sealed class StreamSurvey
 {
-    private readonly SortedDictionary<int, StreamAvatar> _avatars = [];
+    // Numbers that tables give avatars whose own number belongs to an avatar of another sender.
+    private const int FirstFree = 1000;
+
+    private readonly SortedDictionary<(int Sender, int Avatar), StreamAvatar> _avatars = [];
+    private readonly HashSet<int> _numbers = [];
     private RecordingMetadata? _metadata;
 
-    /// <summary>The avatars that have poses, by their numbers.</summary>
-    public IReadOnlyDictionary<int, StreamAvatar> Avatars => _avatars;
+    /// <summary>The avatars that have poses, by their senders and numbers.</summary>
+    public IReadOnlyDictionary<(int Sender, int Avatar), StreamAvatar> Avatars => _avatars;
 
     /// <summary>The format of the first frame.</summary>
     public SkeletonFormat Format { get; private set; }
@@ -57,15 +61,20 @@ internal sealed class StreamSurvey
 
     private void Add(MotionFrame frame, RecordedFrameReader reader, TimeRange range)
     {
-        if (!_avatars.TryGetValue(frame.AvatarIndex, out StreamAvatar? avatar))
+        if (!_avatars.TryGetValue((frame.Sender, frame.AvatarIndex), out StreamAvatar? avatar))
         {
             if (_avatars.Count == 0)
                 Format = frame.Format;
 
             SkeletonBody? own = RecordedBody.Find(_metadata, frame.AvatarIndex, frame.Format.Variant, frame.Layout.HasDisplacement);
             HasBoneLengths &= own is not null || frame.Layout.HasDisplacement;
-            avatar = new StreamAvatar(frame.AvatarName, own ?? SkeletonBody.GetDefault(frame.Format.Variant));
-            _avatars.Add(frame.AvatarIndex, avatar);
+            int number = frame.AvatarIndex;
+            for (int next = FirstFree; !_numbers.Add(number); next++)
+                number = next;
+
+            string name = number == frame.AvatarIndex ? frame.AvatarName : $"{frame.AvatarName}, avatar {frame.AvatarIndex} of sender {frame.Sender}";
+            avatar = new StreamAvatar(number, name, own ?? SkeletonBody.GetDefault(frame.Format.Variant));
+            _avatars.Add((frame.Sender, frame.AvatarIndex), avatar);
         }
 
         if (!range.Contains(reader.Time))

@@ -37,7 +37,7 @@ internal static class StreamTable
 
     /// <summary>Whether the table has a frame.</summary>
     public static bool Selects(FileSettings settings, AvatarFrame frame) =>
-        frame is MotionFrame { HasSkeleton: true } && frame.AvatarIndex == (settings.Avatar ?? frame.AvatarIndex);
+        frame is MotionFrame { HasSkeleton: true } && settings.Selects(frame);
 
     private static PoseCsvOptions Describe(FileSettings settings, TimeRange range, StreamSurvey survey) => new()
     {
@@ -48,7 +48,7 @@ internal static class StreamTable
         RotationOrder = survey.Format.RotationOrder,
         FrameRate = survey.Rate,
         StartTime = survey.StartTime + range.Start,
-        AvatarNames = survey.Avatars.ToDictionary(static avatar => avatar.Key, static avatar => avatar.Value.Name),
+        AvatarNames = survey.Avatars.Values.ToDictionary(static avatar => avatar.Number, static avatar => avatar.Name),
     };
 
     // Returns the time from the first frame to the last.
@@ -66,10 +66,11 @@ internal static class StreamTable
             if (reader.Frame is not MotionFrame frame || !Selects(settings, frame) || !range.Contains(reader.Time))
                 continue;
 
-            frame.CopyWorldTransforms(pose, survey.Avatars[frame.AvatarIndex].Body);
+            StreamAvatar avatar = survey.Avatars[(frame.Sender, frame.AvatarIndex)];
+            frame.CopyWorldTransforms(pose, avatar.Body);
             TimeSpan time = clock.TimeOf(frame, reader.Time, reader.Connection);
             (first, last) = (time < first ? time : first, time > last ? time : last);
-            writer.WriteRow(time - range.Start, pose, frame.AvatarIndex, frame.FrameIndex, survey.StartTime is not null ? reader.Time - range.Start : null);
+            writer.WriteRow(time - range.Start, pose, avatar.Number, frame.FrameIndex, survey.StartTime is not null ? reader.Time - range.Start : null);
         }
 
         return last - first;

@@ -60,7 +60,10 @@ internal static class TakeWarnings
             summary.AddWarning("the stream has no bone lengths; those of the default body are written");
 
         StreamWarnings.AddRest(
-            summary, settings, frame => frame is MotionFrame { HasSkeleton: true } && frame.AvatarIndex == source.AvatarIndex, cancellationToken);
+            summary,
+            settings,
+            frame => frame is MotionFrame { HasSkeleton: true } && (frame.Sender, frame.AvatarIndex) == (source.Sender, source.AvatarIndex),
+            cancellationToken);
         summary.AddLoss(FileKinds.OfName(settings.Output!) == FileKind.Csv ? "times of arrival" : "times of arrival, and the avatar's name and number");
     }
 }

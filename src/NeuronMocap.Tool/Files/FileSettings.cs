@@ -22,6 +22,9 @@ internal sealed record FileSettings(string Input, string? Output)
     /// <summary>Index of the avatar in a recording; null for the first.</summary>
     public int? Avatar { get; init; }
 
+    /// <summary>Number of the sender in a recording of datagrams; null for the first.</summary>
+    public int? Sender { get; init; }
+
     /// <summary>Rotation order of a stream in the input, which streams do not carry. Null for the order that the file states, or YXZ.</summary>
     public RotationOrder? InputOrder { get; init; }
 
@@ -71,6 +74,12 @@ internal sealed record FileSettings(string Input, string? Output)
     // A conversion to angles also has an order to write.
     private string OrderHint => Output is { } path && FileKinds.OfName(path) is FileKind.Bvh or FileKind.Recording or FileKind.Raw ? " --output-order sets the order to write." : string.Empty;
 
+    /// <summary>Whether a frame is of the avatar and of the sender, if they are set.</summary>
+    public bool Selects(AvatarFrame frame) => Selects(frame.Sender, frame.AvatarIndex);
+
+    /// <inheritdoc cref="Selects(AvatarFrame)"/>
+    public bool Selects(int sender, int avatar) => sender == (Sender ?? sender) && avatar == (Avatar ?? avatar);
+
     /// <summary>Determines the kind of the input.</summary>
     /// <exception cref="NeuronException">The input cannot be read, or not with these settings.</exception>
     /// <exception cref="IOException">The input does not exist or cannot be read.</exception>
@@ -88,6 +97,8 @@ internal sealed record FileSettings(string Input, string? Output)
             throw new NeuronException($"--order: {name} does not need it; the option is for streams, which do not carry their order.{OrderHint}");
         if (Avatar is not null)
             throw new NeuronException($"--avatar: {name} holds one avatar; --avatar is for streams.");
+        if (Sender is not null)
+            throw new NeuronException($"--sender: {name} holds one avatar; --sender is for streams.");
 
         return kind;
     }

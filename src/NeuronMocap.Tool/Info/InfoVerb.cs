@@ -17,13 +17,14 @@ internal sealed class InfoVerb : Verb
     private readonly Option<bool> _json = CommonOptions.Json("Print one JSON object a line, one line for each file.");
     private readonly Option<double?> _rate = CommonOptions.Rate();
     private readonly Option<int?> _avatar = CommonOptions.Avatar("For a recording: number of the avatar, from 0. Default: the first.");
+    private readonly Option<int?> _sender = CommonOptions.Sender();
     private readonly Option<RotationOrder?> _order = CommonOptions.StreamOrder();
 
     public InfoVerb()
         : base("info", "Show the contents of files and what is unusual about them.")
     {
         Add(_files);
-        AddOptions("Options", _json, _rate, _avatar, _order);
+        AddOptions("Options", _json, _rate, _avatar, _sender, _order);
     }
 
     public override IReadOnlyList<HelpExample> Examples { get; } =
@@ -54,6 +55,7 @@ internal sealed class InfoVerb : Verb
                 FollowsAnother = !isFirst,
                 InputRate = result.GetValue(_rate),
                 Avatar = result.GetValue(_avatar),
+                Sender = result.GetValue(_sender),
                 InputOrder = result.GetValue(_order),
             };
             int ofFile = await new InfoTool(settings, streams).RunAsync(cancellationToken);

@@ -2,6 +2,7 @@ using System.Text.Json.Nodes;
 using NeuronMocap.Protocol;
 using NeuronMocap.Recording;
 using NeuronMocap.Timing;
+using NeuronMocap.Tool.Files;
 using NeuronMocap.Tool.Terminal;
 
 namespace NeuronMocap.Tool.Info;
@@ -34,11 +35,12 @@ internal sealed class StreamContents
         return contents;
     }
 
-    /// <summary>Whether an avatar, or any, has motion frames of the 59 bones.</summary>
-    public bool HasPoses(int? avatar) => _frames.Any(pair => pair.Value.HasSkeleton && pair.Key.Avatar == (avatar ?? pair.Key.Avatar));
+    /// <summary>Whether the selected avatar, or any, has motion frames of the 59 bones.</summary>
+    public bool HasPoses(FileSettings settings) => _frames.Any(pair => pair.Value.HasSkeleton && settings.Selects(pair.Key.Source, pair.Key.Avatar));
 
-    /// <summary>Whether an avatar, or any, has calculation frames of Axis Neuron.</summary>
-    public bool HasCalculation(int? avatar) => _frames.Keys.Any(key => key.Kind == PacketKind.Calculation && key.Avatar == (avatar ?? key.Avatar));
+    /// <summary>Whether the selected avatar, or any, has calculation frames of Axis Neuron.</summary>
+    public bool HasCalculation(FileSettings settings) =>
+        _frames.Keys.Any(key => key.Kind == PacketKind.Calculation && settings.Selects(key.Source, key.Avatar));
 
     public void AddTo(InfoReport report, bool hasTimes)
     {
@@ -114,7 +116,8 @@ internal sealed class StreamContents
     {
         Frames? frames = _frames.GetValueOrDefault((avatar.Kind, avatar.Sender, avatar.AvatarIndex));
         string kind = avatar.Kind == PacketKind.Motion ? "motion" : "calculation";
-        string text = Quantity.Format($"{avatar.AvatarIndex} {avatar.AvatarName}: {avatar.Frames:#,0} {kind} frame{(avatar.Frames == 1 ? string.Empty : "s")}");
+        string sender = avatar.Sender == 0 ? string.Empty : $" of sender {avatar.Sender}";
+        string text = Quantity.Format($"{avatar.AvatarIndex} {avatar.AvatarName}{sender}: {avatar.Frames:#,0} {kind} frame{(avatar.Frames == 1 ? string.Empty : "s")}");
         if (hasTimes && frames?.FrameRate is { } rate)
             text += Quantity.Format($", {rate:0.0} Hz, at most {frames.LongestInterval.TotalMilliseconds:0} ms between two");
         if (avatar.FrequencyReduction > 1)

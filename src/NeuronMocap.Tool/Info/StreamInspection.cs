@@ -23,9 +23,9 @@ internal sealed class StreamInspection(FileSettings settings, bool isRecording, 
 
         StreamContents contents = StreamContents.Read(settings.Input, settings.Playback, progress, cancellationToken);
         contents.AddTo(report, isRecording);
-        if (contents.HasPoses(settings.Avatar))
+        if (contents.HasPoses(settings))
             AddTake(report, cancellationToken);
-        else if (contents.HasCalculation(settings.Avatar))
+        else if (contents.HasCalculation(settings))
             AddMotion(report, InputTake.Load(settings, FileKind.Recording, progress, cancellationToken).Motion, hasBody: true, cancellationToken);
 
         return report;
@@ -33,7 +33,7 @@ internal sealed class StreamInspection(FileSettings settings, bool isRecording, 
 
     private void AddTake(InfoReport report, CancellationToken cancellationToken)
     {
-        RecordingSource source = RecordingSource.Load(settings.Input, settings.Avatar, settings.Playback, progress, cancellationToken);
+        RecordingSource source = RecordingSource.Load(settings.Input, settings.Avatar, settings.Sender, settings.Playback, progress, cancellationToken);
         double duration = source.FrameCount!.Value / source.FrameRate;
         InfoSection take = report.Section("take", $"Take of avatar {source.AvatarIndex}, {source.AvatarName}");
         take.Add("avatar", string.Empty, null, source.AvatarIndex).Add("avatarName", string.Empty, null, JsonValue.Create(source.AvatarName));

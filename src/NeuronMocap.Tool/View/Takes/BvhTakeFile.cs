@@ -27,7 +27,7 @@ internal static class BvhTakeFile
         while (reader.TryReadFrame(row))
         {
             map.CopyLocalTransforms(row, pose);
-            writer ??= reading.Open(new AvatarName(UsualName), 0, BodyOf(map, pose));
+            writer ??= reading.Open(new AvatarName(UsualName), default, BodyOf(map, pose));
             if (map.Layout.HasReference)
                 pose[0] = map.GetReference(row).Apply(pose[0]);
 
@@ -38,7 +38,7 @@ internal static class BvhTakeFile
 
         if (writer is null)
         {
-            reading.Open(new AvatarName(UsualName), 0, map.GetBody());
+            reading.Open(new AvatarName(UsualName), default, map.GetBody());
             reading.AddProblem("The file holds a skeleton but no frames.");
         }
 

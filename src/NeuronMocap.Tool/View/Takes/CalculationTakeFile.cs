@@ -14,7 +14,7 @@ internal static class CalculationTakeFile
         foreach (string warning in skeleton.Warnings)
             reading.AddProblem(warning);
 
-        PerformerWriter writer = reading.Open(new AvatarName(UsualName), 0, skeleton.Body);
+        PerformerWriter writer = reading.Open(new AvatarName(UsualName), default, skeleton.Body);
         using CalculationFileReader reader = CalculationFileReader.Open(path);
         if (reader.DeclaredFrameRate is null)
             reading.AddProblem("The export does not say its rate, and 120 Hz is assumed.");

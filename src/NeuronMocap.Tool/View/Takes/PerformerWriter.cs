@@ -3,6 +3,7 @@ using System.Runtime.InteropServices;
 using NeuronMocap.Protocol;
 using NeuronMocap.Skeleton;
 using NeuronMocap.Timing;
+using NeuronMocap.Tool.View.Performers;
 
 namespace NeuronMocap.Tool.View.Takes;
 
@@ -31,9 +32,9 @@ internal sealed class PerformerWriter
     /// <param name="key">Identifies the performer among those of all takes.</param>
     /// <param name="index">Number of the performer in the take, from 0.</param>
     /// <param name="name">Name of the avatar.</param>
-    /// <param name="avatarIndex">Number of the avatar in the file.</param>
+    /// <param name="source">Numbers of the sender and the avatar in the file.</param>
     /// <param name="body">The body.</param>
-    public PerformerWriter(Func<int, RecordFile> create, string key, int index, AvatarName name, int avatarIndex, SkeletonBody body)
+    public PerformerWriter(Func<int, RecordFile> create, string key, int index, AvatarName name, PerformerKey source, SkeletonBody body)
     {
         _name = name;
         _times = new TakeTimes();
@@ -42,7 +43,7 @@ internal sealed class PerformerWriter
         int nameSize = SizeOf(name);
         RecordFile poses = create(CompactPose.MaxSize - ProtocolConstants.AvatarNameSize + nameSize);
         RecordFile summaries = create(TakePerformer.SummaryValues * sizeof(float));
-        Performer = new TakePerformer(key, index, name.ToString(), avatarIndex, body, poses, summaries, _times, _contacts);
+        Performer = new TakePerformer(key, index, name.ToString(), source, body, poses, summaries, _times, _contacts);
         ClearSummary();
     }
 

@@ -3,6 +3,7 @@ using NeuronMocap.Recording;
 using NeuronMocap.Server.Sources;
 using NeuronMocap.Skeleton;
 using NeuronMocap.Tool.Terminal;
+using NeuronMocap.Tool.View.Performers;
 
 namespace NeuronMocap.Tool.View.Takes;
 
@@ -14,7 +15,7 @@ internal sealed class StreamTakeFile(string path, RotationOrder? order, TakeRead
 {
     private const int MostPerformers = 64;
 
-    private readonly Dictionary<(int Sender, int Avatar), Avatar> _avatars = [];
+    private readonly Dictionary<PerformerKey, Avatar> _avatars = [];
     private readonly RecordingMetadata? _metadata = RecordedBody.ReadMetadata(path);
     private readonly BoneTransform[] _pose = new BoneTransform[BoneHierarchy.BoneCount];
     private bool _isFull;
@@ -65,7 +66,7 @@ internal sealed class StreamTakeFile(string path, RotationOrder? order, TakeRead
 
     private Avatar? Find(AvatarFrame frame)
     {
-        if (_avatars.TryGetValue((frame.Sender, frame.AvatarIndex), out Avatar? avatar))
+        if (_avatars.TryGetValue(PerformerKey.Of(frame), out Avatar? avatar))
             return avatar;
 
         if (_avatars.Count == MostPerformers)
@@ -78,13 +79,13 @@ internal sealed class StreamTakeFile(string path, RotationOrder? order, TakeRead
         }
 
         avatar = new Avatar();
-        _avatars.Add((frame.Sender, frame.AvatarIndex), avatar);
+        _avatars.Add(PerformerKey.Of(frame), avatar);
         return avatar;
     }
 
     private void AddMotion(Avatar avatar, MotionFrame frame, RecordedFrameReader reader)
     {
-        avatar.Writer ??= reading.Open(frame.Header.AvatarName, frame.AvatarIndex, FindBody(frame));
+        avatar.Writer ??= reading.Open(frame.Header.AvatarName, PerformerKey.Of(frame), FindBody(frame));
         avatar.Sample = null;
         frame.CopyLocalTransforms(_pose, avatar.Writer.Performer.Body);
         if (frame.Layout.HasReference)
@@ -130,9 +131,9 @@ internal sealed class StreamTakeFile(string path, RotationOrder? order, TakeRead
         while (reader.Read())
         {
             if (reader.Frame is CalculationFrame { BoneCount: > 0 } frame
-                && _avatars.TryGetValue((frame.Sender, frame.AvatarIndex), out Avatar? avatar) && avatar.Skeleton is { } skeleton)
+                && _avatars.TryGetValue(PerformerKey.Of(frame), out Avatar? avatar) && avatar.Skeleton is { } skeleton)
             {
-                avatar.Writer ??= reading.Open(frame.Header.AvatarName, frame.AvatarIndex, skeleton.Body);
+                avatar.Writer ??= reading.Open(frame.Header.AvatarName, PerformerKey.Of(frame), skeleton.Body);
                 skeleton.CopyLocalTransforms(frame.Values, _pose);
                 avatar.Writer.Add(reader.Time, frame.FrameIndex, reader.Connection, _pose, frame.FootContacts);
             }

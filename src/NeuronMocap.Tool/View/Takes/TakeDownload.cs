@@ -4,6 +4,7 @@ using Microsoft.Net.Http.Headers;
 using NeuronMocap.Tool.Convert;
 using NeuronMocap.Tool.Files;
 using NeuronMocap.Tool.Terminal;
+using NeuronMocap.Tool.View.Performers;
 using NeuronMocap.Tool.View.Web;
 
 namespace NeuronMocap.Tool.View.Takes;
@@ -37,11 +38,13 @@ internal sealed class TakeDownload(ScratchFolder scratch) : IDisposable
 
         bool hasOneAvatar = HasOneAvatar(kind, wanted);
         (from, to) = FindArrival(hasOneAvatar ? [performer] : take.Performers, from, to);
+        PerformerKey? source = take.Kind is FileKind.Recording or FileKind.Raw && hasOneAvatar ? performer.Source : null;
         var settings = new FileSettings(take.Path, Path.Combine(scratch.Path, ScratchFolder.NewName() + extension))
         {
             InputName = take.Name,
             InputOrder = take.RotationOrder,
-            Avatar = take.Kind is FileKind.Recording or FileKind.Raw && hasOneAvatar ? performer.AvatarIndex : null,
+            Avatar = source?.Avatar,
+            Sender = source?.Sender,
             From = SecondsOf(from),
             To = SecondsOf(to),
         };

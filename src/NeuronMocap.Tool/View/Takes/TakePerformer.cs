@@ -1,6 +1,7 @@
 using System.Collections.Immutable;
 using System.Runtime.InteropServices;
 using NeuronMocap.Skeleton;
+using NeuronMocap.Tool.View.Performers;
 
 namespace NeuronMocap.Tool.View.Takes;
 
@@ -13,9 +14,9 @@ internal sealed class TakePerformer : IDisposable
     private readonly ContactFinder _contacts;
     private double _rate = double.NaN;
 
-    public TakePerformer(string key, int index, string name, int avatarIndex, SkeletonBody body, RecordFile poses, RecordFile summaries, TakeTimes times, ContactFinder contacts)
+    public TakePerformer(string key, int index, string name, PerformerKey source, SkeletonBody body, RecordFile poses, RecordFile summaries, TakeTimes times, ContactFinder contacts)
     {
-        (Key, Index, Name, AvatarIndex, Body) = (key, index, name, avatarIndex, body);
+        (Key, Index, Name, Source, Body) = (key, index, name, source, body);
         (Poses, Summaries, Times, _contacts) = (poses, summaries, times, contacts);
     }
 
@@ -28,8 +29,8 @@ internal sealed class TakePerformer : IDisposable
     /// <summary>Name of the avatar, in its first frame.</summary>
     public string Name { get; }
 
-    /// <summary>Number of the avatar in the file.</summary>
-    public int AvatarIndex { get; }
+    /// <summary>Numbers of the sender and the avatar in the file.</summary>
+    public PerformerKey Source { get; }
 
     public SkeletonBody Body { get; }
 

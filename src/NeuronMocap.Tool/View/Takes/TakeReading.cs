@@ -1,5 +1,6 @@
 using NeuronMocap.Skeleton;
 using NeuronMocap.Tool.Files;
+using NeuronMocap.Tool.View.Performers;
 
 namespace NeuronMocap.Tool.View.Takes;
 
@@ -45,9 +46,9 @@ internal sealed class TakeReading(Take take, string folder)
     }
 
     /// <summary>Adds a performer.</summary>
-    public PerformerWriter Open(AvatarName name, int avatarIndex, SkeletonBody body)
+    public PerformerWriter Open(AvatarName name, PerformerKey source, SkeletonBody body)
     {
-        var writer = new PerformerWriter(size => new RecordFile(folder, size), $"{take.Id}-{_writers.Count}", _writers.Count, name, avatarIndex, body);
+        var writer = new PerformerWriter(size => new RecordFile(folder, size), $"{take.Id}-{_writers.Count}", _writers.Count, name, source, body);
         take.Add(writer.Performer);
         _writers.Add(writer);
         return writer;

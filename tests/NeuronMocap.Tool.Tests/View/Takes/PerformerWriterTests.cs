@@ -74,7 +74,7 @@ public sealed class PerformerWriterTests : IDisposable
             "0-0",
             0,
             new AvatarName("Actor"),
-            0,
+            default,
             SkeletonBody.GetDefault());
     }
 

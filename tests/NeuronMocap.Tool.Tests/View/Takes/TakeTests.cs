@@ -63,12 +63,12 @@ public sealed class TakeTests
         BoneTransform[] expected = new BoneTransform[BoneHierarchy.BoneCount];
         foreach (TakePerformer performer in take.Performers)
         {
-            Assert.Equal($"Actor {performer.AvatarIndex}", performer.Name);
+            Assert.Equal($"Actor {performer.Source.Avatar}", performer.Name);
             Assert.Equal(60, performer.Frames);
             Assert.Equal(50, performer.Rate!.Value, 3);
-            OpenTakes.GetPose(performer.AvatarIndex, 30, expected);
+            OpenTakes.GetPose(performer.Source.Avatar, 30, expected);
             AssertSame(expected, performer, 30);
-            Assert.Equal(0.6 + (performer.AvatarIndex * 0.005), SecondsOf(performer, 30), 5);
+            Assert.Equal(0.6 + (performer.Source.Avatar * 0.005), SecondsOf(performer, 30), 5);
         }
     }
 
