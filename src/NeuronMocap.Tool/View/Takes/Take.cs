@@ -84,6 +84,9 @@ internal sealed class Take : IDisposable
         return string.IsNullOrEmpty(key) ? all.FirstOrDefault() : all.FirstOrDefault(performer => string.Equals(performer.Key, key, StringComparison.Ordinal));
     }
 
+    /// <summary>Makes the take as it was before its file was read.</summary>
+    public Take CopyUnread() => new(Id, Name, Path, Kind) { IsUpload = IsUpload, RotationOrder = RotationOrder };
+
     /// <summary>Reads the file on another thread.</summary>
     public void Start(Action read) => Completion = Task.Run(read, CancellationToken.None);
 

@@ -10,11 +10,14 @@ namespace NeuronMocap.Tool.View.Takes;
 /// <param name="run">The start of the takes' ids. Pages outlive the program, so each run of it needs others: <see cref="NewRun"/>.</param>
 internal sealed class TakeLibrary(ScratchFolder scratch, string run) : IDisposable
 {
-    /// <summary>Number of takes that can be open. To open another one closes the one that was used longest ago.</summary>
+    /// <summary>Number of takes that can be open. To open another one closes the one that was used longest ago. Uploads cannot be opened again.</summary>
     public const int MostTakes = 8;
 
     private readonly Lock _lock = new();
     private readonly List<Take> _takes = [];
+
+    // Closed takes whose files stay, as they were before they were read.
+    private readonly Dictionary<string, Take> _closed = new(StringComparer.Ordinal);
     private int _number;
     private bool _isDisposed;
 
@@ -38,32 +41,39 @@ internal sealed class TakeLibrary(ScratchFolder scratch, string run) : IDisposab
         {
             ObjectDisposedException.ThrowIf(_isDisposed, this);
             take = new Take(string.Create(CultureInfo.InvariantCulture, $"{run}{++_number}"), name, path, kind) { IsUpload = isUpload, RotationOrder = order };
-            _takes.Add(take);
-            oldest = _takes.Count > MostTakes ? _takes[0] : null;
-            if (oldest is not null)
-                _takes.RemoveAt(0);
+            oldest = Add(take);
         }
 
         Close(oldest);
-        var reading = new TakeReading(take, scratch.Path);
-        take.Start(reading.Run);
+        Start(take);
         return take;
     }
 
-    /// <summary>Finds a take; null if it is not open.</summary>
+    /// <summary>Finds a take. One that was closed is read again if its file is not an upload. Null if there is none.</summary>
     public Take? Find(string id)
     {
+        Take? take;
+        Take? oldest;
         lock (_lock)
         {
-            int place = _takes.FindIndex(take => string.Equals(take.Id, id, StringComparison.Ordinal));
-            if (place < 0)
+            int place = _takes.FindIndex(open => string.Equals(open.Id, id, StringComparison.Ordinal));
+            if (place >= 0)
+            {
+                take = _takes[place];
+                _takes.RemoveAt(place);
+                _takes.Add(take);
+                return take;
+            }
+
+            if (!_closed.Remove(id, out take))
                 return null;
 
-            Take take = _takes[place];
-            _takes.RemoveAt(place);
-            _takes.Add(take);
-            return take;
+            oldest = Add(take);
         }
+
+        Close(oldest);
+        Start(take);
+        return take;
     }
 
     /// <summary>Finds the performer with a key; null if no open take has it.</summary>
@@ -82,6 +92,7 @@ internal sealed class TakeLibrary(ScratchFolder scratch, string run) : IDisposab
             _isDisposed = true;
             takes = [.. _takes];
             _takes.Clear();
+            _closed.Clear();
         }
 
         Array.ForEach(takes, Close);
@@ -100,6 +111,23 @@ internal sealed class TakeLibrary(ScratchFolder scratch, string run) : IDisposab
             throw new NeuronException(FileFault.OfReading(exception, path).Replace(path, name, StringComparison.Ordinal), exception);
         }
     }
+
+    // Returns the take that has to be closed.
+    private Take? Add(Take take)
+    {
+        _takes.Add(take);
+        if (_takes.Count <= MostTakes)
+            return null;
+
+        Take oldest = _takes[0];
+        _takes.RemoveAt(0);
+        if (!oldest.IsUpload)
+            _closed.Add(oldest.Id, oldest.CopyUnread());
+
+        return oldest;
+    }
+
+    private void Start(Take take) => take.Start(new TakeReading(take, scratch.Path).Run);
 
     private void Close(Take? take)
     {

@@ -89,7 +89,8 @@ internal sealed class TakeClient : IAsyncDisposable
         _folder.Dispose();
     }
 
-    private async Task<JsonElement> WaitAsync(string id)
+    /// <summary>Waits until the server has read a take.</summary>
+    public async Task<JsonElement> WaitAsync(string id)
     {
         using var limit = new CancellationTokenSource(TimeSpan.FromMinutes(2));
         while (true)

@@ -208,6 +208,24 @@ public sealed class TakeServiceTests
     }
 
     [Fact]
+    public async Task A_take_of_the_programs_own_disk_opens_again_after_newer_ones_closed_it()
+    {
+        await using TakeClient client = await TakeClient.StartAsync();
+        Files.Takes.Actor(2).Save(client.Folder["walk.bvh"]);
+        JsonElement first = await client.OpenAsync(client.Folder["walk.bvh"]);
+        byte[] file = await File.ReadAllBytesAsync(client.Folder["walk.bvh"]);
+        for (int i = 0; i < NeuronMocap.Tool.View.Takes.TakeLibrary.MostTakes; i++)
+            await client.PostAsync("walk.bvh", file);
+
+        using HttpResponseMessage download = await client.GetFileAsync("takes/t1/download?format=nmrec&performer=t1-0");
+        JsonElement again = await client.WaitAsync("t1");
+
+        Assert.Equal(HttpStatusCode.OK, download.StatusCode);
+        Assert.Equal(first.GetRawText(), again.GetRawText());
+        await client.GetAsync("takes/t2", HttpStatusCode.NotFound);
+    }
+
+    [Fact]
     public async Task A_take_of_an_earlier_run_of_the_program_is_gone_although_another_take_is_open()
     {
         using var folder = new Files.TemporaryFolder();
