@@ -18,7 +18,8 @@ namespace NeuronMocap.Tool.View;
 /// <summary>One run of the viewer, from the options to its end. It ends with its duration or a request of the user.</summary>
 internal sealed class ViewRun(ViewOptions options, StandardStreams streams)
 {
-    private const long UploadsThatFit = 8;
+    // A new upload is saved before the oldest take is closed.
+    private const long UploadsThatFit = TakeLibrary.MostTakes + 1;
 
     private static readonly string Version = Assembly.GetExecutingAssembly().GetCustomAttribute<AssemblyInformationalVersionAttribute>()!.InformationalVersion;
 

@@ -208,6 +208,23 @@ public sealed class TakeServiceTests
     }
 
     [Fact]
+    public async Task Large_uploads_close_the_oldest_take_too()
+    {
+        using var folder = new Files.TemporaryFolder();
+        Files.Takes.Actor(2).Save(folder["walk.bvh"]);
+        byte[] file = new byte[950_000];
+        file.AsSpan().Fill((byte)'\n');
+        (await File.ReadAllBytesAsync(folder["walk.bvh"], TestContext.Current.CancellationToken)).CopyTo(file, 0);
+        await using RunningView view = await RunningView.StartAsync(folder["walk.bvh"], "--upload-limit", "1");
+
+        for (int i = 0; i < NeuronMocap.Tool.View.Takes.TakeLibrary.MostTakes + 1; i++)
+        {
+            using HttpResponseMessage answer = await view.Client.PostAsync("/api/takes?name=walk.bvh", new ByteArrayContent(file), TestContext.Current.CancellationToken);
+            Assert.Equal(HttpStatusCode.OK, answer.StatusCode);
+        }
+    }
+
+    [Fact]
     public async Task A_take_of_the_programs_own_disk_opens_again_after_newer_ones_closed_it()
     {
         await using TakeClient client = await TakeClient.StartAsync();
