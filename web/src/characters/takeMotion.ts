@@ -12,12 +12,15 @@ interface Times {
   readonly step: number;
   /** Milliseconds of every frame number that is a multiple of the step. */
   readonly times: readonly number[];
+  /** Whether the whole file was read. Until then, poses can lack contacts of the feet. */
+  readonly isComplete: boolean;
 }
 
 interface Block {
   poses: readonly DataView[];
   asked: number;
   isWaiting: boolean;
+  isFinal: boolean;
 }
 
 /** The poses of a character in a take: blocks around the time that is shown, read ahead. */
@@ -48,7 +51,7 @@ export class TakeMotion {
   /** The pose at a time in milliseconds: that of the last frame at or before it. Null while it is not here, and if nothing has changed. */
   take(time: number): DataView | null {
     const last = this._times ? this._times.times[this._times.times.length - 1] : undefined;
-    if (last === undefined || time >= last)
+    if (last === undefined || time >= last || !this._times!.isComplete)
       this._refreshTimes();
     if (!this._times || this._times.times.length === 0)
       return null;
@@ -82,7 +85,7 @@ export class TakeMotion {
 
   // The newest block is the last in the map.
   private _need(number: number, time: number): Block {
-    const block = this._blocks.get(number) ?? { poses: [], asked: -Infinity, isWaiting: false };
+    const block = this._blocks.get(number) ?? { poses: [], asked: -Infinity, isWaiting: false, isFinal: false };
     this._blocks.delete(number);
     this._blocks.set(number, block);
     if (this._blocks.size > MostBlocks)
@@ -90,7 +93,8 @@ export class TakeMotion {
 
     const count = block.poses.length;
     const isShort = count < this._times!.step && (count === 0 || time > timeOf(block.poses[count - 1]));
-    if (isShort && !block.isWaiting && this._now() - block.asked > RefreshAfter)
+    const isOld = this._times!.isComplete && !block.isFinal;
+    if ((isShort || isOld) && !block.isWaiting && this._now() - block.asked > RefreshAfter)
       void this._load(number, block);
     return block;
   }
@@ -98,9 +102,10 @@ export class TakeMotion {
   private async _load(number: number, block: Block): Promise<void> {
     block.isWaiting = true;
     block.asked = this._now();
-    const { step } = this._times!;
+    const { step, isComplete } = this._times!;
     try {
       block.poses = split(await this._api.bytes(`${this._path}&from=${number * step}&count=${step}`, this._abort.signal));
+      block.isFinal = isComplete;
     } catch {
       // The next picture asks again.
     }

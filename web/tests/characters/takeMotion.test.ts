@@ -10,12 +10,13 @@ const settled = () => new Promise<void>(resolve => setImmediate(resolve));
 // A take of frames that are ten milliseconds apart.
 class Server {
   readonly requests: string[] = [];
+  isComplete = true;
 
   constructor(public frames: number) {}
 
   get api(): Api {
     return {
-      get: async () => ({ step: Step, times: Array.from({ length: Math.ceil(this.frames / Step) }, (_, i) => i * Step * 10) }),
+      get: async () => ({ step: Step, times: Array.from({ length: Math.ceil(this.frames / Step) }, (_, i) => i * Step * 10), isComplete: this.isComplete }),
       bytes: async (path: string) => {
         this.requests.push(path);
         const query = new URLSearchParams(path.split("?")[1]);
@@ -89,6 +90,27 @@ test("a take that is still read grows", async () => {
   assert.equal(await at(900), 690);
   wait();
   assert.equal(await at(900), 900);
+});
+
+test("a block that was loaded before its take was complete is loaded once more", async () => {
+  const server = new Server(1000);
+  server.isComplete = false;
+  const { at, wait } = await open(server);
+  await at(100);
+  assert.equal(server.requests.length, 2);
+  wait();
+  await at(100);
+  assert.equal(server.requests.length, 2);
+
+  server.isComplete = true;
+  for (let i = 0; i < 3; i++) {
+    wait();
+    await at(100);
+    await at(100);
+    assert.equal(server.requests.length, 4);
+  }
+
+  assert.deepEqual(server.requests.slice(2), server.requests.slice(0, 2));
 });
 
 test("few blocks are kept", async () => {

@@ -19,7 +19,6 @@ internal sealed class TakeService(ScratchFolder scratch, ControlHub hub, int upl
     private const int MostFrames = 4096; // in an answer
     private const int MostPoints = 10_000;
     private const int FramesPerRead = 64;
-    private const int TimeStep = 2; // blocks
 
     private readonly TakeLibrary _library = new(scratch, run);
     private readonly TakeDownload _download = new(scratch);
@@ -82,13 +81,15 @@ internal sealed class TakeService(ScratchFolder scratch, ControlHub hub, int upl
     private Take Find(HttpContext context) =>
         _library.Find((string)context.Request.RouteValues["id"]!) ?? throw ApiException.NotFound("This take is not open any more. Drop its file on the page again.");
 
-    private TakePerformer FindPerformer(HttpContext context) =>
-        Find(context).Find(context.Request.Query["performer"]) ?? throw ApiException.NotFound("The take has no such performer.");
+    private TakePerformer FindPerformer(HttpContext context) => FindPerformer(context, Find(context));
+
+    private static TakePerformer FindPerformer(HttpContext context, Take take) =>
+        take.Find(context.Request.Query["performer"]) ?? throw ApiException.NotFound("The take has no such performer.");
 
     private Task SendTimesAsync(HttpContext context)
     {
-        long[] times = FindPerformer(context).Times.GetBlockTimes(TimeStep);
-        return ApiJson.WriteAsync(context, new { step = TimeStep * TakeTimes.BlockSize, times = Array.ConvertAll(times, static time => time / 1e3) });
+        Take take = Find(context);
+        return ApiJson.WriteAsync(context, TakeTimesJson.Of(take, FindPerformer(context, take)));
     }
 
     private async Task SendPosesAsync(HttpContext context)

@@ -48,6 +48,7 @@ public sealed class TakeServiceTests
         Assert.Equal(TimeSpan.FromSeconds(1), header.Time - DateTimeOffset.UnixEpoch);
         JsonElement times = await client.GetAsync("takes/t1/times");
         Assert.Equal(64, times.GetProperty("step").GetInt32());
+        Assert.True(times.GetProperty("isComplete").GetBoolean());
         Assert.Equal([0, 64 / 0.06, 128 / 0.06], times.GetProperty("times").EnumerateArray().Select(static time => time.GetDouble()), static (a, b) => Math.Abs(a - b) < 0.01);
     }
 
