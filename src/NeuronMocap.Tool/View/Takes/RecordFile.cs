@@ -10,6 +10,7 @@ internal sealed class RecordFile : IDisposable
     private const int BufferSize = 64 * 1024;
 
     private readonly SafeFileHandle _file;
+    private readonly TakeRoom? _room;
     private readonly byte[] _buffer;
     private int _used;
     private long _written;
@@ -19,17 +20,20 @@ internal sealed class RecordFile : IDisposable
     /// <summary>Creates an empty file.</summary>
     /// <param name="folder">An existing folder.</param>
     /// <param name="recordSize">Bytes in a record.</param>
+    /// <param name="room">The room for the records; null for as much as the disk has.</param>
     /// <exception cref="IOException">The file cannot be created.</exception>
-    public RecordFile(string folder, int recordSize)
-        : this(Create(folder), recordSize)
+    public RecordFile(string folder, int recordSize, TakeRoom? room = null)
+        : this(Create(folder), recordSize, room)
     {
     }
 
     /// <summary>Uses an empty file that is open for reading and writing.</summary>
     /// <param name="file">The file, which this class closes.</param>
     /// <param name="recordSize">Bytes in a record.</param>
-    public RecordFile(SafeFileHandle file, int recordSize)
+    /// <param name="room">The room for the records; null for as much as the disk has.</param>
+    public RecordFile(SafeFileHandle file, int recordSize, TakeRoom? room = null)
     {
+        _room = room;
         RecordSize = recordSize;
         _buffer = new byte[Math.Max(recordSize, BufferSize / recordSize * recordSize)];
         _file = file;
@@ -41,7 +45,7 @@ internal sealed class RecordFile : IDisposable
     public long Count => Volatile.Read(ref _count);
 
     /// <summary>Appends a record, which can be read after the next <see cref="Flush"/>, or once enough others follow.</summary>
-    /// <exception cref="IOException">The disk is full or fails. The message is a sentence. Later records do not fit either.</exception>
+    /// <exception cref="IOException">There is no room, or the disk fails. The message is a sentence. Later records do not fit either.</exception>
     public void Append(ReadOnlySpan<byte> record)
     {
         ThrowIfFull();
@@ -52,23 +56,23 @@ internal sealed class RecordFile : IDisposable
     }
 
     /// <summary>Makes all records readable.</summary>
-    /// <exception cref="IOException">The disk is full or fails. The message is a sentence.</exception>
+    /// <exception cref="IOException">There is no room, or the disk fails. The message is a sentence.</exception>
     public void Flush()
     {
         if (_used == 0)
             return;
 
         ThrowIfFull();
+        if (_room?.TryTake(_used) == false)
+            EndFull();
+
         try
         {
             RandomAccess.Write(_file, _buffer.AsSpan(0, _used), _written);
         }
         catch (Exception exception) when (ScratchFolder.IsOfDisk(exception))
         {
-            // What has no room stays in the buffer, which does not change any more.
-            _isFull = true;
-            Volatile.Write(ref _count, (_written + _used) / RecordSize);
-            ThrowIfFull();
+            EndFull();
         }
 
         _written += _used;
@@ -115,6 +119,14 @@ internal sealed class RecordFile : IDisposable
     }
 
     public void Dispose() => _file.Dispose();
+
+    // What has no room stays in the buffer, which does not change any more.
+    private void EndFull()
+    {
+        _isFull = true;
+        Volatile.Write(ref _count, (_written + _used) / RecordSize);
+        ThrowIfFull();
+    }
 
     private static SafeFileHandle Create(string folder) => File.OpenHandle(
         Path.Combine(folder, ScratchFolder.NewName()), FileMode.CreateNew, FileAccess.ReadWrite, FileShare.Read | FileShare.Delete, FileOptions.DeleteOnClose);

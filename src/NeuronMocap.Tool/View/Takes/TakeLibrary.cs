@@ -8,7 +8,8 @@ namespace NeuronMocap.Tool.View.Takes;
 /// <summary>The takes that are open. Thread-safe.</summary>
 /// <param name="scratch">The folder for uploads and temporary files.</param>
 /// <param name="run">The start of the takes' ids. Pages outlive the program, so each run of it needs others: <see cref="NewRun"/>.</param>
-internal sealed class TakeLibrary(ScratchFolder scratch, string run) : IDisposable
+/// <param name="uploadRoom">The bytes that the temporary files made of an upload may have: a small file can hold many frames.</param>
+internal sealed class TakeLibrary(ScratchFolder scratch, string run, long uploadRoom) : IDisposable
 {
     /// <summary>Number of takes that can be open. To open another one closes the one that was used longest ago. Uploads cannot be opened again.</summary>
     public const int MostTakes = 8;
@@ -127,7 +128,7 @@ internal sealed class TakeLibrary(ScratchFolder scratch, string run) : IDisposab
         return oldest;
     }
 
-    private void Start(Take take) => take.Start(new TakeReading(take, scratch.Path).Run);
+    private void Start(Take take) => take.Start(new TakeReading(take, scratch.Path, take.IsUpload ? new TakeRoom(uploadRoom) : null).Run);
 
     private void Close(Take? take)
     {

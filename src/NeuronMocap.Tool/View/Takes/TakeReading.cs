@@ -7,7 +7,8 @@ namespace NeuronMocap.Tool.View.Takes;
 /// <summary>Reads the file of a take once, from start to end, into its performers. Its thread is the only one that adds to the take.</summary>
 /// <param name="take">The take.</param>
 /// <param name="folder">The folder for temporary files.</param>
-internal sealed class TakeReading(Take take, string folder)
+/// <param name="room">The room for these files; null for as much as the disk has.</param>
+internal sealed class TakeReading(Take take, string folder, TakeRoom? room = null)
 {
     private static readonly TimeSpan FlushInterval = TimeSpan.FromMilliseconds(200);
 
@@ -48,7 +49,7 @@ internal sealed class TakeReading(Take take, string folder)
     /// <summary>Adds a performer.</summary>
     public PerformerWriter Open(AvatarName name, PerformerKey source, SkeletonBody body)
     {
-        var writer = new PerformerWriter(size => new RecordFile(folder, size), $"{take.Id}-{_writers.Count}", _writers.Count, name, source, body);
+        var writer = new PerformerWriter(size => new RecordFile(folder, size, room), $"{take.Id}-{_writers.Count}", _writers.Count, name, source, body);
         take.Add(writer.Performer);
         _writers.Add(writer);
         return writer;

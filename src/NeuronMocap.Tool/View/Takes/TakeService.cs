@@ -20,7 +20,9 @@ internal sealed class TakeService(ScratchFolder scratch, ControlHub hub, int upl
     private const int MostPoints = 10_000;
     private const int FramesPerRead = 64;
 
-    private readonly TakeLibrary _library = new(scratch, run);
+    private const int RoomOfUpload = 4; // times the largest upload
+
+    private readonly TakeLibrary _library = new(scratch, run, RoomOfUpload * uploadMegabytes * BodyLimit.Megabyte);
     private readonly TakeDownload _download = new(scratch);
 
     public Task<string> OpenAsync(string path, RotationOrder? order, CancellationToken cancellationToken) =>

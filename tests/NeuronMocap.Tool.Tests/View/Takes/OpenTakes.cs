@@ -14,7 +14,7 @@ internal sealed class OpenTakes : IDisposable
     private readonly TemporaryFolder _folder = new();
     private readonly ScratchFolder _scratch = new(long.MaxValue);
 
-    public OpenTakes() => Library = new TakeLibrary(_scratch, run: "t");
+    public OpenTakes() => Library = new TakeLibrary(_scratch, run: "t", uploadRoom: long.MaxValue);
 
     public TakeLibrary Library { get; }
 
