@@ -1,11 +1,14 @@
 using System.Text;
+using System.Text.Json;
 using Microsoft.AspNetCore.Builder;
 using Microsoft.AspNetCore.Hosting;
 using Microsoft.AspNetCore.Http;
 using Microsoft.AspNetCore.Routing;
 using Microsoft.Extensions.DependencyInjection;
 using NeuronMocap.Server;
+using NeuronMocap.Tool.Arguments;
 using NeuronMocap.Tool.Tests.Files;
+using NeuronMocap.Tool.View;
 using NeuronMocap.Tool.View.Actions;
 using NeuronMocap.Tool.View.Control;
 using NeuronMocap.Tool.View.Takes;
@@ -46,6 +49,46 @@ public sealed class RecordingControlTests : IDisposable
         Assert.Equal(RecordingMessage.Idle, control.Describe().State);
     }
 
+    [Fact]
+    public async Task A_recording_that_starts_while_another_one_ends_is_shown()
+    {
+        await using Broadcaster broadcaster = Broadcaster.StartDemo();
+        await using var reader = new NeuronReader(new NeuronReaderOptions { Host = "127.0.0.1", Port = broadcaster.LocalEndPoint!.Port });
+        await using var hub = new ControlHub(static () => []);
+        var library = new Library();
+        await using var control = new RecordingControl(reader, _folder[string.Empty], hub, library);
+        var options = new ViewOptions(Source.Demo, new ConnectionOptions()) { Port = 0 };
+        await using ViewServer server = await ViewServer.StartAsync(options, [hub]);
+        using ViewSocket page = await ViewSocket.ConnectAsync(new Uri($"ws://{server.LocalEndPoint}/control"), subprotocol: null, configure: null);
+        await Limits.UntilAsync(() => hub.Clients == 1);
+        reader.Start();
+        RequestDelegate handle = HandlerOf(control);
+        await handle(RequestFor("start", CancellationToken.None));
+        library.Opening = () => handle(RequestFor("start", CancellationToken.None));
+
+        await handle(RequestFor("stop", CancellationToken.None));
+
+        hub.Send(new ProblemMessage("The last message."));
+        Assert.Equal(RecordingMessage.Recording, await FindStateAsync(page));
+        Assert.Equal(2, _folder.Names.Length);
+    }
+
+    // The state that a page shows when it receives a problem.
+    private static async Task<string?> FindStateAsync(ViewSocket page)
+    {
+        string? state = null;
+        while (await page.ReceiveAsync() is { } bytes)
+        {
+            JsonElement message = JsonDocument.Parse(bytes).RootElement;
+            if (message.GetProperty("type").ValueEquals("problem"))
+                break;
+            if (message.GetProperty("type").ValueEquals("recording"))
+                state = message.GetProperty("state").GetString();
+        }
+
+        return state;
+    }
+
     private static RequestDelegate HandlerOf(RecordingControl control)
     {
         WebApplicationBuilder builder = WebApplication.CreateEmptyBuilder(new WebApplicationOptions());
@@ -66,11 +109,17 @@ public sealed class RecordingControlTests : IDisposable
     {
         public string? Opened { get; private set; }
 
-        public Task<string> OpenAsync(string path, RotationOrder? order, CancellationToken cancellationToken)
+        /// <summary>Runs while a take is opened.</summary>
+        public Func<Task>? Opening { get; set; }
+
+        public async Task<string> OpenAsync(string path, RotationOrder? order, CancellationToken cancellationToken)
         {
             cancellationToken.ThrowIfCancellationRequested();
             Opened = path;
-            return Task.FromResult("t1");
+            if (Opening is { } opening)
+                await opening();
+
+            return "t1";
         }
 
         public TakePerformer? FindPerformer(string key) => null;

@@ -117,6 +117,7 @@ internal sealed class RecordingControl : IViewPart
         if (message.Take is { } id)
             _hub.Send(new TakeMessage(id));
 
+        Report(); // Another recording may have started meanwhile.
         return message;
     }
 
