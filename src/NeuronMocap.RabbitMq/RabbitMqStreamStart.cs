@@ -6,6 +6,9 @@ namespace NeuronMocap.RabbitMq;
 /// <summary>Where a source begins in a stream.</summary>
 public readonly record struct RabbitMqStreamStart
 {
+    // The broker looks up times of its own clock, and the publisher's may be ahead.
+    private const long ClockMarginSeconds = 5 * 60;
+
     private readonly string? _word;
     private readonly long? _offset;
     private readonly DateTimeOffset? _time;
@@ -28,7 +31,9 @@ public readonly record struct RabbitMqStreamStart
     public static RabbitMqStreamStart AtOffset(long offset) =>
         offset >= 0 ? new(null, offset, null) : throw new ArgumentOutOfRangeException(nameof(offset), offset, "The offset must not be negative.");
 
-    /// <summary>The first frame that arrived at its publisher's reader at this time or later.</summary>
+    /// <summary>
+    /// The first frame that arrived at its publisher's reader at this time or later. The publisher's clock may be up to 5 minutes ahead of the broker's.
+    /// </summary>
     /// <param name="time">The time, by the publisher's clock; 1970 or later.</param>
     /// <returns>The start.</returns>
     /// <exception cref="ArgumentOutOfRangeException">The time is before 1970.</exception>
@@ -57,8 +62,10 @@ public readonly record struct RabbitMqStreamStart
         ? time.ToString("yyyy-MM-ddTHH:mm:ss.FFFFFFZ", CultureInfo.InvariantCulture)
         : _offset?.ToString(CultureInfo.InvariantCulture) ?? _word ?? "first";
 
-    // Microseconds since 1970. The broker finds the part of the stream that contains the second, so earlier frames of that part arrive, too.
+    // Microseconds since 1970. The broker begins with an earlier part of the stream, so earlier frames arrive, too.
     internal long? EarliestCapture => _time is { } time ? (time.UtcTicks - DateTimeOffset.UnixEpoch.UtcTicks) / (TimeSpan.TicksPerMillisecond / 1000) : null;
 
-    internal object Argument => _time is { } time ? new AmqpTimestamp(time.ToUnixTimeSeconds()) : _offset is { } offset ? offset : _word ?? "first";
+    internal object Argument => _time is { } time
+        ? new AmqpTimestamp(Math.Max(0, time.ToUnixTimeSeconds() - ClockMarginSeconds))
+        : _offset is { } offset ? offset : _word ?? "first";
 }

@@ -11,7 +11,7 @@ public sealed class StreamTests(SharedBroker shared)
     public async Task A_late_joiner_gets_the_take_from_its_beginning_and_then_live_frames()
     {
         Broker broker = await shared.GetAsync();
-        await using Stage stage = await RecordAsync(broker, "late", 0, 300);
+        await using Stage stage = await Stage.RecordAsync(broker, "late", 300);
         await using Audience audience = await Audience.StartAsync(Audience.Options(broker, "late", "late"));
 
         await audience.UntilAsync(300);
@@ -26,7 +26,7 @@ public sealed class StreamTests(SharedBroker shared)
     public async Task A_take_remains_after_its_publisher()
     {
         Broker broker = await shared.GetAsync();
-        await using (Stage stage = await RecordAsync(broker, "kept", 0, 100))
+        await using (Stage stage = await Stage.RecordAsync(broker, "kept", 100))
             await stage.EndAsync();
 
         await using Audience audience = await Audience.StartAsync(Audience.Options(broker, "kept", "kept"));
@@ -39,7 +39,7 @@ public sealed class StreamTests(SharedBroker shared)
     public async Task A_source_begins_at_a_message_that_it_names()
     {
         Broker broker = await shared.GetAsync();
-        await using Stage stage = await RecordAsync(broker, "offset", 0, 100);
+        await using Stage stage = await Stage.RecordAsync(broker, "offset", 100);
         RabbitMqSourceOptions options = Audience.Options(broker, "offset", "offset");
         options.From = RabbitMqStreamStart.AtOffset(70);
         await using Audience audience = await Audience.StartAsync(options);
@@ -54,11 +54,11 @@ public sealed class StreamTests(SharedBroker shared)
     public async Task A_source_begins_at_a_time()
     {
         Broker broker = await shared.GetAsync();
-        await using Stage stage = await RecordAsync(broker, "time", 0, 100);
+        await using Stage stage = await Stage.RecordAsync(broker, "time", 100);
         await Limits.UntilAsync(Later(DateTimeOffset.UtcNow));
         DateTimeOffset time = DateTimeOffset.UtcNow;
         stage.Write(Enumerable.Range(100, 50).Select(static frame => TestPackets.Motion(frame)));
-        await ConfirmedAsync(stage, 150);
+        await stage.ConfirmedAsync(150);
 
         RabbitMqSourceOptions options = Audience.Options(broker, "time", "time");
         options.From = RabbitMqStreamStart.AtTime(time);
@@ -76,7 +76,7 @@ public sealed class StreamTests(SharedBroker shared)
         for (int frame = 0; frame < 50; frame++)
             stage.Write(TestPackets.Motion(frame, avatar: 0, name: "A"), TestPackets.Motion(frame, avatar: 1, name: "B"), TestPackets.Calculation(frame));
 
-        await ConfirmedAsync(stage, 150);
+        await stage.ConfirmedAsync(150);
         RabbitMqSourceOptions options = Audience.Options(broker, "choice", "choice");
         (options.Avatar, options.Kind) = ("B", PacketKind.Motion);
         await using Audience audience = await Audience.StartAsync(options);
@@ -93,7 +93,7 @@ public sealed class StreamTests(SharedBroker shared)
     {
         const int Count = 3000;
         Broker broker = await shared.GetAsync();
-        await using Stage stage = await RecordAsync(broker, "slow stream", 0, Count);
+        await using Stage stage = await Stage.RecordAsync(broker, "slow stream", Count);
         RabbitMqSourceOptions options = Audience.Options(broker, "slow stream", "slow stream");
         options.QueueCapacity = 1;
         await using Audience audience = await Audience.StartAsync(options);
@@ -110,7 +110,7 @@ public sealed class StreamTests(SharedBroker shared)
     public async Task A_stream_that_is_deleted_is_declared_again_and_gets_what_was_not_confirmed()
     {
         Broker broker = await shared.GetAsync();
-        await using Stage stage = await RecordAsync(broker, "deleted", 0, 10);
+        await using Stage stage = await Stage.RecordAsync(broker, "deleted", 10);
         await using (IConnection connection = await new ConnectionFactory { HostName = "127.0.0.1", Port = broker.Port }
             .CreateConnectionAsync(TestContext.Current.CancellationToken))
         {
@@ -119,23 +119,13 @@ public sealed class StreamTests(SharedBroker shared)
         }
 
         stage.Write(TestPackets.Motion(10));
-        await ConfirmedAsync(stage, 11);
+        await stage.ConfirmedAsync(11);
         await using Audience audience = await Audience.StartAsync(Audience.Options(broker, "deleted", "deleted"));
         await audience.UntilAsync(1);
 
         Assert.Equal([10], audience.FrameIndices);
         Assert.Equal(1, stage.Publisher.GetStatistics().Repeated);
     }
-
-    private static async Task<Stage> RecordAsync(Broker broker, string name, int first, int count)
-    {
-        Stage stage = await Stage.StartAsync(broker, name, name);
-        stage.Write(Enumerable.Range(first, count).Select(static frame => TestPackets.Motion(frame)));
-        await ConfirmedAsync(stage, count);
-        return stage;
-    }
-
-    private static Task ConfirmedAsync(Stage stage, int count) => Limits.UntilAsync(() => stage.Publisher.GetStatistics().Confirmed == count);
 
     // Headers have microseconds, and the clock ticks in larger steps on some systems.
     private static Func<bool> Later(DateTimeOffset time) => () => DateTimeOffset.UtcNow > time.AddMilliseconds(20);

@@ -87,12 +87,12 @@ internal sealed class SourceState(RabbitMqSourceOptions options)
     private static long? Find(IDictionary<string, object?>? headers, string name) =>
         headers is not null && headers.TryGetValue(name, out object? value) && value is long number ? number : null;
 
-    // The broker begins at a part of the stream that contains the time.
+    // The broker begins at a part of the stream before the time. A message of another program may have no time.
     private bool IsTooEarly(IDictionary<string, object?>? headers)
     {
-        if (_earliest is not { } earliest)
+        if (_earliest is not { } earliest || Find(headers, MessageHeaders.Captured) is not { } captured)
             return false;
-        if (Find(headers, MessageHeaders.Captured) < earliest)
+        if (captured < earliest)
             return true;
 
         _earliest = null;

@@ -1,5 +1,6 @@
 using System.Buffers;
 using System.IO.Pipelines;
+using NeuronMocap.Tests.Network;
 using NeuronMocap.Tests.RabbitMq;
 
 namespace NeuronMocap.RabbitMq.Tests.Infrastructure;
@@ -41,6 +42,15 @@ internal sealed class Stage : IAsyncDisposable
         return stage;
     }
 
+    /// <summary>Publishes motion frames to a stream with the name of the stage.</summary>
+    public static async Task<Stage> RecordAsync(Broker broker, string name, int count)
+    {
+        Stage stage = await StartAsync(broker, name, name);
+        stage.Write(Enumerable.Range(0, count).Select(static frame => TestPackets.Motion(frame)));
+        await stage.ConfirmedAsync(count);
+        return stage;
+    }
+
     public void Write(params IEnumerable<byte[]> packets)
     {
         foreach (byte[] packet in packets)
@@ -54,6 +64,9 @@ internal sealed class Stage : IAsyncDisposable
 
     /// <summary>Waits until the publisher has taken every packet from the reader.</summary>
     public Task TakenAsync() => Limits.UntilAsync(() => Publisher.GetStatistics().Frames == _written);
+
+    /// <summary>Waits until the broker has confirmed so many packets in all.</summary>
+    public Task ConfirmedAsync(int count) => Limits.UntilAsync(() => Publisher.GetStatistics().Confirmed == count);
 
     /// <summary>Ends the stream, and waits until everything is sent.</summary>
     public async Task EndAsync()
