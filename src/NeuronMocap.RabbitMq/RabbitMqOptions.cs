@@ -49,7 +49,8 @@ public abstract class RabbitMqOptions
     /// </summary>
     /// <remarks>
     /// The publisher declares the stream and binds it to the stage. The broker then confirms each frame, and the publisher sends unconfirmed frames again
-    /// after a failure. After a failure, a source continues behind the last frame that it has received.
+    /// after a failure. After a failure, a source continues behind the last frame that it has received. If the stream was deleted and declared again, the
+    /// source notices it within about 10 s, and continues with the frames of the new stream.
     /// </remarks>
     public string? Stream { get; set; }
 

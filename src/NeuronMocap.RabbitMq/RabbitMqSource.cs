@@ -100,7 +100,7 @@ public sealed class RabbitMqSource : ByteSource
         string queue = _options.Stream ?? await DeclareQueueAsync(channel, cancellationToken).ConfigureAwait(false);
         var arguments = new Dictionary<string, object?>(StringComparer.Ordinal);
         if (_options.Stream is not null)
-            arguments.Add("x-stream-offset", _state.StreamOffset);
+            arguments.Add("x-stream-offset", _state.Resume());
 
         await channel.BasicConsumeAsync(
             queue, autoAck: false, consumerTag: string.Empty, noLocal: false, exclusive: false, arguments, consumer, cancellationToken).ConfigureAwait(false);

@@ -15,7 +15,10 @@ public sealed record RabbitMqSourceStatistics
     /// </summary>
     public long Lost { get; init; }
 
-    /// <summary>Frames that arrived a second time and were left out: a publisher sends unconfirmed frames again after a failure.</summary>
+    /// <summary>
+    /// Frames that arrived a second time and were left out: a publisher sends unconfirmed frames again after a failure, and a source receives some frames
+    /// again if the broker has lost the end of the stream.
+    /// </summary>
     public long Duplicates { get; init; }
 
     /// <summary>Messages that were left out because they are not one packet with a frame.</summary>

@@ -9,6 +9,8 @@ public readonly record struct RabbitMqStreamStart
     // The broker looks up times of its own clock, and the publisher's may be ahead.
     private const long ClockMarginSeconds = 5 * 60;
 
+    private const long TicksPerMicrosecond = TimeSpan.TicksPerMillisecond / 1000;
+
     private readonly string? _word;
     private readonly long? _offset;
     private readonly DateTimeOffset? _time;
@@ -63,7 +65,10 @@ public readonly record struct RabbitMqStreamStart
         : _offset?.ToString(CultureInfo.InvariantCulture) ?? _word ?? "first";
 
     // Microseconds since 1970. The broker begins with an earlier part of the stream, so earlier frames arrive, too.
-    internal long? EarliestCapture => _time is { } time ? (time.UtcTicks - DateTimeOffset.UnixEpoch.UtcTicks) / (TimeSpan.TicksPerMillisecond / 1000) : null;
+    internal long? EarliestCapture => _time is { } time ? (time.UtcTicks - DateTimeOffset.UnixEpoch.UtcTicks) / TicksPerMicrosecond : null;
+
+    internal static RabbitMqStreamStart AtCapture(long microseconds) =>
+        new(null, null, DateTimeOffset.UnixEpoch.AddTicks(microseconds * TicksPerMicrosecond));
 
     internal object Argument => _time is { } time
         ? new AmqpTimestamp(Math.Max(0, time.ToUnixTimeSeconds() - ClockMarginSeconds))

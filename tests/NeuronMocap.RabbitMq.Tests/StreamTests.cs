@@ -1,7 +1,6 @@
 using NeuronMocap.RabbitMq.Tests.Infrastructure;
 using NeuronMocap.Tests.Network;
 using NeuronMocap.Tests.RabbitMq;
-using RabbitMQ.Client;
 
 namespace NeuronMocap.RabbitMq.Tests;
 
@@ -111,13 +110,7 @@ public sealed class StreamTests(SharedBroker shared)
     {
         Broker broker = await shared.GetAsync();
         await using Stage stage = await Stage.RecordAsync(broker, "deleted", 10);
-        await using (IConnection connection = await new ConnectionFactory { HostName = "127.0.0.1", Port = broker.Port }
-            .CreateConnectionAsync(TestContext.Current.CancellationToken))
-        {
-            await using IChannel channel = await connection.CreateChannelAsync(cancellationToken: TestContext.Current.CancellationToken);
-            await channel.QueueDeleteAsync("deleted", cancellationToken: TestContext.Current.CancellationToken);
-        }
-
+        await broker.DeleteQueueAsync("deleted");
         stage.Write(TestPackets.Motion(10));
         await stage.ConfirmedAsync(11);
         await using Audience audience = await Audience.StartAsync(Audience.Options(broker, "deleted", "deleted"));

@@ -18,4 +18,7 @@ internal static class MessageHeaders
 
     // Added by the broker.
     public const string StreamOffset = "x-stream-offset";
+
+    public static long? Find(IDictionary<string, object?>? headers, string name) =>
+        headers is not null && headers.TryGetValue(name, out object? value) && value is long number ? number : null;
 }

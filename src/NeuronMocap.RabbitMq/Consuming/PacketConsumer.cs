@@ -16,6 +16,9 @@ internal sealed class PacketConsumer : AsyncDefaultBasicConsumer
 
     private const int AcknowledgeEvery = 64;
 
+    // An intact stream begins at once. If it takes longer, the next connection begins a little earlier than it must.
+    private const int RestsBeforeStream = 2;
+
     // A broker closes a channel whose messages are not acknowledged for a time, usually 30 minutes. A suit can rest for longer.
     private static readonly TimeSpan RestTime = TimeSpan.FromSeconds(5);
 
@@ -24,6 +27,7 @@ internal sealed class PacketConsumer : AsyncDefaultBasicConsumer
     private readonly RabbitMqSourceOptions _options;
     private readonly SemaphoreSlim _turn = new(1);
     private readonly Timer _rest;
+    private int _rests;
     private ulong _taken;
     private ulong _acknowledged;
     private NeuronConnectionException? _failure;
@@ -32,7 +36,7 @@ internal sealed class PacketConsumer : AsyncDefaultBasicConsumer
         : base(channel)
     {
         (_state, _writer, _options) = (state, writer, options);
-        _rest = new Timer(static self => _ = ((PacketConsumer)self!).AcknowledgeRestAsync(), this, RestTime, RestTime);
+        _rest = new Timer(static self => ((PacketConsumer)self!).Rest(), this, RestTime, RestTime);
     }
 
     // Why the connection ended; set before the pipe ends.
@@ -50,6 +54,12 @@ internal sealed class PacketConsumer : AsyncDefaultBasicConsumer
     {
         if (Failure is not null)
             return;
+
+        if (!_state.IsSameStream(routingKey, properties.Headers))
+        {
+            Fail(Replaced());
+            return;
+        }
 
         if (_state.Take(routingKey, properties.Headers, body.Span))
         {
@@ -97,6 +107,18 @@ internal sealed class PacketConsumer : AsyncDefaultBasicConsumer
             // The connection has ended. Its own event tells why.
         }
     }
+
+    private void Rest()
+    {
+        if (++_rests >= RestsBeforeStream && Failure is null && _state.IsStreamOver())
+            Fail(Replaced());
+        else
+            _ = AcknowledgeRestAsync();
+    }
+
+    private NeuronConnectionException Replaced() => new(
+        ConnectionReason.ClosedByPeer,
+        $"The stream '{_options.Stream}' on the broker {AmqpAddress.EndPoint(_options)} is another one than before, or has lost its end.");
 
     // In turns, because the broker closes a channel that acknowledges a message twice.
     private async Task AcknowledgeAsync(CancellationToken cancellationToken)

@@ -12,12 +12,14 @@ internal sealed class SourceState(RabbitMqSourceOptions options)
     private readonly LossCounter _losses = new();
     private readonly string _pattern = RabbitMqRoutingKey.CreatePattern(options.Stage, options.Avatar, options.Kind);
     private readonly bool _isStream = options.Stream is not null;
+    private RabbitMqStreamStart _start = options.From;
     private long? _earliest = options.From.EarliestCapture;
     private long _packets;
     private long _bytes;
     private long _invalid;
     private long _skipped;
-    private long? _lastOffset;
+    private StreamPlace? _last;
+    private bool _isResuming;
     private int _connections;
 
     public void CountConnection()
@@ -26,13 +28,44 @@ internal sealed class SourceState(RabbitMqSourceOptions options)
             _connections++;
     }
 
-    // Behind the last message; null before the first one.
-    public object StreamOffset
+    // Where the next connection begins: with the last message again, which shows whether the stream is still the same.
+    public object Resume()
     {
-        get
+        lock (_lock)
         {
-            lock (_lock)
-                return _lastOffset + 1 ?? options.From.Argument;
+            _isResuming = _last is not null;
+            return _last?.Offset ?? _start.Argument;
+        }
+    }
+
+    // False if the first message of a connection is another one than the last of the connection before. If retention has removed that one, a later
+    // one comes.
+    public bool IsSameStream(string key, IDictionary<string, object?>? headers)
+    {
+        lock (_lock)
+        {
+            if (!_isResuming || StreamPlace.Find(key, headers) is not { } place)
+                return true;
+
+            _isResuming = false;
+            if (place == _last || place.Offset > _last!.Value.Offset)
+                return true;
+
+            Restart();
+            return false;
+        }
+    }
+
+    // True if the first message of a connection has not come. A broker sends nothing from a stream that ends before the last message.
+    public bool IsStreamOver()
+    {
+        lock (_lock)
+        {
+            bool isOver = _isResuming;
+            if (isOver)
+                Restart();
+
+            return isOver;
         }
     }
 
@@ -41,8 +74,13 @@ internal sealed class SourceState(RabbitMqSourceOptions options)
     {
         lock (_lock)
         {
-            if (_isStream && Find(headers, MessageHeaders.StreamOffset) is { } offset)
-                _lastOffset = offset;
+            if (_isStream && StreamPlace.Find(key, headers) is { } place)
+            {
+                if (place.Offset <= _last?.Offset)
+                    return false;
+
+                _last = place;
+            }
 
             if (_isStream && (!RabbitMqRoutingKey.Matches(_pattern, key) || IsTooEarly(headers)))
             {
@@ -57,7 +95,7 @@ internal sealed class SourceState(RabbitMqSourceOptions options)
             }
 
             // Programs of others may publish packets without numbers.
-            if (Find(headers, MessageHeaders.Run) is { } run && Find(headers, MessageHeaders.Number) is { } number && !_losses.Take(run, key, number))
+            if (MessageHeaders.Find(headers, MessageHeaders.Run) is { } run && MessageHeaders.Find(headers, MessageHeaders.Number) is { } number && !_losses.Take(run, key, number))
                 return false;
 
             _packets++;
@@ -78,19 +116,25 @@ internal sealed class SourceState(RabbitMqSourceOptions options)
                 Duplicates = _losses.Duplicates,
                 Invalid = _invalid,
                 Skipped = _skipped,
-                LastOffset = _lastOffset,
+                LastOffset = _last?.Offset,
                 Connections = _connections,
             };
         }
     }
 
-    private static long? Find(IDictionary<string, object?>? headers, string name) =>
-        headers is not null && headers.TryGetValue(name, out object? value) && value is long number ? number : null;
+    // Begins in the new stream with what was captured after the last message. All clocks but the source's own may be wrong.
+    private void Restart()
+    {
+        long now = RabbitMqStreamStart.AtTime(DateTimeOffset.UtcNow).EarliestCapture!.Value;
+        _start = _last?.Captured is { } captured ? RabbitMqStreamStart.AtCapture(Math.Clamp(captured, 0, now)) : RabbitMqStreamStart.First;
+        _earliest = _start.EarliestCapture;
+        (_last, _isResuming) = (null, false);
+    }
 
     // The broker begins at a part of the stream before the time. A message of another program may have no time.
     private bool IsTooEarly(IDictionary<string, object?>? headers)
     {
-        if (_earliest is not { } earliest || Find(headers, MessageHeaders.Captured) is not { } captured)
+        if (_earliest is not { } earliest || MessageHeaders.Find(headers, MessageHeaders.Captured) is not { } captured)
             return false;
         if (captured < earliest)
             return true;

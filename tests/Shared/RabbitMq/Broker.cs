@@ -107,6 +107,14 @@ internal sealed class Broker : IAsyncDisposable
     public bool KeepsStreams => Directory.GetFiles(_folder, "names.dets", SearchOption.AllDirectories)
         .Any(static file => File.ReadAllBytes(file).AsSpan().IndexOf("rabbit_stream_coordinator"u8) >= 0);
 
+    /// <summary>Deletes a queue or a stream, also while it is used.</summary>
+    public async Task DeleteQueueAsync(string name)
+    {
+        await using IConnection connection = await new ConnectionFactory { HostName = "127.0.0.1", Port = Port }.CreateConnectionAsync();
+        await using IChannel channel = await connection.CreateChannelAsync();
+        await channel.QueueDeleteAsync(name);
+    }
+
     public ValueTask DisposeAsync()
     {
         Kill();
