@@ -68,7 +68,7 @@ public static class NeuronReaderServiceCollectionExtensions
 
                 options.LoggerFactory = provider.GetService<ILoggerFactory>();
                 if (provider.GetService<IConfiguration>()?.GetSection(section) is { } settings)
-                    ReaderSettings.Apply(settings, name, options);
+                    ReaderSettings.Apply(settings, name, provider.GetService<IHostEnvironment>()?.ContentRootPath ?? string.Empty, options);
             });
         if (configure is not null)
             options.Configure(configure);

@@ -14,6 +14,7 @@ internal static class ReaderSettings
 {
     private const string AllowedSenders = "AllowedSenders";
     private const string TlsEnabled = "Tls:Enabled";
+    private const string TrustedCertificate = "Tls:TrustedCertificate";
 
     private static readonly Dictionary<string, Action<NeuronReaderOptions, string>> Settings = new(StringComparer.OrdinalIgnoreCase)
     {
@@ -37,12 +38,13 @@ internal static class ReaderSettings
         ["MaxValues"] = static (options, text) => options.MaxValues = Number(text),
         [TlsEnabled] = static (options, text) => options.Tls = Switch(text) ? options.Tls ?? new() : null,
         ["Tls:TargetHost"] = static (options, text) => (options.Tls ??= new()).TargetHost = text,
-        ["Tls:TrustedCertificate"] = static (options, text) => (options.Tls ??= new()).TrustedCertificate = Certificate(text),
+        [TrustedCertificate] = static (options, text) => (options.Tls ??= new()).TrustedCertificate = Certificate(text),
     };
 
     public static IEnumerable<string> Keys => Settings.Keys;
 
-    public static void Apply(IConfigurationSection section, string name, NeuronReaderOptions options)
+    // folder: where relative paths begin.
+    public static void Apply(IConfigurationSection section, string name, string folder, NeuronReaderOptions options)
     {
         List<string> faults = [];
 
@@ -51,10 +53,10 @@ internal static class ReaderSettings
         bool hasList = section[AllowedSenders]?.Trim(' ', ',') is { Length: > 0 };
         foreach ((string key, string? text) in section.AsEnumerable(makePathsRelative: true))
         {
-            if (text is null || key.Length == 0 || (hasList && IsArrayItem(key)))
+            if (text is null || (text.Length == 0 && IsKey(key, TrustedCertificate)) || key.Length == 0 || (hasList && IsArrayItem(key)))
                 continue;
 
-            if (Find(key, text, options) is { } fault)
+            if (Find(key, IsKey(key, TrustedCertificate) ? Path.Combine(folder, text) : text, options) is { } fault)
                 faults.Add(Prefix(name) + fault);
         }
 
@@ -97,6 +99,8 @@ internal static class ReaderSettings
 
     private static string WithoutIndex(string key) => IsArrayItem(key) ? AllowedSenders : key;
 
+    private static bool IsKey(string key, string other) => key.Equals(other, StringComparison.OrdinalIgnoreCase);
+
     // An array in JSON has a key for each item.
     private static bool IsArrayItem(string key) => key.StartsWith(AllowedSenders + ":", StringComparison.OrdinalIgnoreCase);
 
@@ -105,11 +109,18 @@ internal static class ReaderSettings
 
     private static X509Certificate2 Certificate(string file)
     {
+        if (!File.Exists(file))
+            throw new FormatException("a file that exists");
+
         try
         {
             return new X509Certificate2(file);
         }
-        catch (CryptographicException exception)
+        catch (UnauthorizedAccessException exception)
+        {
+            throw new FormatException("a file that this program may read", exception);
+        }
+        catch (Exception exception) when (exception is CryptographicException or IOException)
         {
             throw new FormatException("a file that holds a certificate in PEM or DER form", exception);
         }

@@ -1,6 +1,4 @@
 using System.Net;
-using System.Security.Cryptography;
-using System.Security.Cryptography.X509Certificates;
 using Microsoft.Extensions.Configuration;
 using Microsoft.Extensions.Options;
 using NeuronMocap.Skeleton;
@@ -40,16 +38,6 @@ public sealed class ReaderSettingsTests
         Assert.NotNull(Read(("Tls:Enabled", "true")).Tls);
         Assert.Equal("stage", Read(("Tls:TargetHost", "stage")).Tls?.TargetHost);
         Assert.Null(Read(("Tls:Enabled", "false"), ("Tls:TargetHost", "stage")).Tls);
-
-        string file = Path.GetTempFileName();
-        using var key = ECDsa.Create(ECCurve.NamedCurves.nistP256);
-        using X509Certificate2 certificate = new CertificateRequest("CN=stage", key, HashAlgorithmName.SHA256).CreateSelfSigned(DateTimeOffset.UtcNow, DateTimeOffset.UtcNow.AddDays(1));
-        File.WriteAllText(file, certificate.ExportCertificatePem());
-        Assert.Equal(certificate.RawData, Read(("Tls:TrustedCertificate", file)).Tls!.TrustedCertificate!.RawData);
-        File.WriteAllText(file, "no certificate");
-        Assert.Contains("a file that holds a certificate", Assert.Throws<OptionsValidationException>(() => Read(("Tls:TrustedCertificate", file))).Message, StringComparison.Ordinal);
-        File.Delete(file);
-        Assert.Contains("a file that holds a certificate", Assert.Throws<OptionsValidationException>(() => Read(("Tls:TrustedCertificate", file))).Message, StringComparison.Ordinal);
     }
 
     [Fact]
@@ -110,7 +98,7 @@ public sealed class ReaderSettingsTests
             .AddInMemoryCollection(settings.Select(setting => KeyValuePair.Create($"NeuronReader:{setting.Key}", (string?)setting.Value)))
             .Build();
         var options = new NeuronReaderOptions();
-        ReaderSettings.Apply(configuration.GetSection("NeuronReader"), string.Empty, options);
+        ReaderSettings.Apply(configuration.GetSection("NeuronReader"), string.Empty, folder: string.Empty, options);
         return options;
     }
 }
