@@ -24,7 +24,7 @@ internal static class ReaderSettings
         ["Port"] = static (options, text) => options.Port = Number(text),
         ["LocalAddress"] = static (options, text) => options.LocalAddress = Address(text),
         ["SharePort"] = static (options, text) => options.SharePort = Switch(text),
-        [AllowedSenders] = static (options, text) => options.AllowedSenders = [.. options.AllowedSenders, .. Addresses(text)],
+        [AllowedSenders] = static (options, text) => options.AllowedSenders = [.. options.AllowedSenders, .. Parts(text).Select(Address)],
         ["ConnectTimeout"] = static (options, text) => options.ConnectTimeout = Time(text),
         ["ReceiveThread"] = static (options, text) => options.ReceiveThread = Word<ReceiveThread>(text),
         ["SilenceTimeout"] = static (options, text) => options.SilenceTimeout = Time(text),
@@ -41,19 +41,29 @@ internal static class ReaderSettings
         [TrustedCertificate] = static (options, text) => (options.Tls ??= new()).TrustedCertificate = Certificate(text),
     };
 
+    // Options that can be null. Before .NET 10, a null in JSON becomes an empty text.
+    private static readonly HashSet<string> Optional = new(StringComparer.OrdinalIgnoreCase)
+    {
+        "Name", "LocalAddress", "RotationOrder", "SkeletonVariant", "CommandPort", "CalculationPort", "Tls:TargetHost", TrustedCertificate,
+    };
+
     public static IEnumerable<string> Keys => Settings.Keys;
 
     // folder: where relative paths begin.
     public static void Apply(IConfigurationSection section, string name, string folder, NeuronReaderOptions options)
     {
         List<string> faults = [];
+        List<string> senders = [];
 
         // An array in a file and a list in the environment are two keys. The list replaces the array, so that it can restrict the senders. An empty
         // list does not replace it, because that would allow all senders.
-        bool hasList = section[AllowedSenders]?.Trim(' ', ',') is { Length: > 0 };
+        bool hasList = section[AllowedSenders] is { } list && !IsEmptyList(list);
         foreach ((string key, string? text) in section.AsEnumerable(makePathsRelative: true))
         {
-            if (text is null || (text.Length == 0 && IsKey(key, TrustedCertificate)) || key.Length == 0 || (hasList && IsArrayItem(key)))
+            if (text is not null && IsKey(WithoutIndex(key), AllowedSenders))
+                senders.Add(text);
+
+            if (text is null || (text.Length == 0 && Optional.Contains(key)) || key.Length == 0 || (hasList && IsArrayItem(key)))
                 continue;
 
             if (Find(key, IsKey(key, TrustedCertificate) ? Path.Combine(folder, text) : text, options) is { } fault)
@@ -63,6 +73,9 @@ internal static class ReaderSettings
         // The other settings of TLS may come after the one that turns it off.
         if (bool.TryParse(section[TlsEnabled], out bool isEncrypted) && !isEncrypted)
             options.Tls = null;
+
+        if (senders.Count > 0 && senders.TrueForAll(IsEmptyList))
+            faults.Add($"{Prefix(name)}{AllowedSenders} is empty; leave it out to allow all senders.");
 
         if (faults.Count > 0)
             throw new OptionsValidationException(name, typeof(NeuronReaderOptions), faults);
@@ -104,8 +117,9 @@ internal static class ReaderSettings
     // An array in JSON has a key for each item.
     private static bool IsArrayItem(string key) => key.StartsWith(AllowedSenders + ":", StringComparison.OrdinalIgnoreCase);
 
-    private static IEnumerable<IPAddress> Addresses(string text) =>
-        text.Split(',', StringSplitOptions.TrimEntries | StringSplitOptions.RemoveEmptyEntries).Select(static part => Address(part)!);
+    private static string[] Parts(string text) => text.Split(',', StringSplitOptions.TrimEntries | StringSplitOptions.RemoveEmptyEntries);
+
+    private static bool IsEmptyList(string text) => Parts(text).Length == 0;
 
     private static X509Certificate2 Certificate(string file)
     {
@@ -126,14 +140,8 @@ internal static class ReaderSettings
         }
     }
 
-    // Some versions turn a null in JSON into an empty string.
-    private static IPAddress? Address(string text)
-    {
-        if (text.Length == 0)
-            return null;
-
-        return IPAddress.TryParse(text, out IPAddress? address) ? address : throw new FormatException("an IP address");
-    }
+    private static IPAddress Address(string text) =>
+        IPAddress.TryParse(text, out IPAddress? address) ? address : throw new FormatException("an IP address");
 
     // Accepts "00:00:05", the format of TimeSpan, or "5" for seconds. A plain number never means days, because days are too long to wait for a frame.
     private static TimeSpan Time(string text)

@@ -58,7 +58,10 @@ public sealed class ReaderSettingsTests
     [InlineData("Reconnect:Delay", "1", "Reconnect:Delay is not a setting")]
     [InlineData("Port", "seven", "Port is 'seven'; it must be a whole number.")]
     [InlineData("Transport", "1", "Transport is '1'; it must be one of Tcp, Udp.")]
-    [InlineData("RotationOrder", "", "RotationOrder is ''; it must be one of X")]
+    [InlineData("RotationOrder", "ZZZ", "RotationOrder is 'ZZZ'; it must be one of X")]
+    [InlineData("AllowedSenders", "", "AllowedSenders is empty; leave it out to allow all senders.")]
+    [InlineData("AllowedSenders", " , ", "AllowedSenders is empty; leave it out to allow all senders.")]
+    [InlineData("allowedSenders:0", "", "AllowedSenders is empty; leave it out to allow all senders.")]
     [InlineData("LocalAddress", "studio", "LocalAddress is 'studio'; it must be an IP address.")]
     [InlineData("AllowedSenders:0", "studio", "AllowedSenders:0 is 'studio'; it must be an IP address.")]
     [InlineData("SharePort", "yes", "SharePort is 'yes'; it must be true or false.")]
@@ -68,6 +71,25 @@ public sealed class ReaderSettingsTests
     {
         OptionsValidationException exception = Assert.Throws<OptionsValidationException>(() => Read((key, text)));
         Assert.StartsWith(expected, Assert.Single(exception.Failures), StringComparison.Ordinal);
+    }
+
+    // What a null in JSON becomes before .NET 10.
+    [Theory]
+    [InlineData("Name")]
+    [InlineData("LocalAddress")]
+    [InlineData("RotationOrder")]
+    [InlineData("SkeletonVariant")]
+    [InlineData("CommandPort")]
+    [InlineData("CalculationPort")]
+    [InlineData("tls:targetHost")]
+    public void An_empty_text_leaves_an_optional_setting_out(string key)
+    {
+        NeuronReaderOptions options = Read((key, string.Empty));
+
+        Assert.Null(options.FindFault());
+        Assert.Equal(
+            (null, null, null, null, null, null, null),
+            (options.Name, options.LocalAddress, options.RotationOrder, options.SkeletonVariant, options.CommandPort, options.CalculationPort, options.Tls));
     }
 
     [Fact]
