@@ -52,18 +52,18 @@ internal sealed class VendorFunctions(IVendorCallbacks callbacks)
         failure: false,
         "BRUnregisterAutoSyncParmeter");
 
-    public static bool ZeroOut(IntPtr socket, int avatar) => TrySend(socket, client => client.ZeroOutAsync(avatar), nameof(ZeroOut));
+    public static bool ZeroOut(IntPtr socket, int avatar) => TrySend(socket, (client, cancel) => client.ZeroOutAsync(avatar, cancel), nameof(ZeroOut));
 
-    public static bool ZeroOutAll(IntPtr socket) => TrySend(socket, static client => client.ZeroOutAllAsync(), nameof(ZeroOutAll));
+    public static bool ZeroOutAll(IntPtr socket) => TrySend(socket, static (client, cancel) => client.ZeroOutAllAsync(cancel), nameof(ZeroOutAll));
 
     public static bool TryGetRotationOrder(IntPtr socket, out RotationOrder order) =>
-        TryAsk(socket, static client => client.GetRotationOrderAsync(), out order, "GetBvhRotation");
+        TryAsk(socket, static (client, cancel) => client.GetRotationOrderAsync(cancel), out order, "GetBvhRotation");
 
     public static bool TryGetBoneDimensions(IntPtr socket, int avatar, out BoneDimensions dimensions) =>
-        TryAsk(socket, client => client.GetBoneDimensionsAsync(avatar), out dimensions, "GetBoneSize");
+        TryAsk(socket, (client, cancel) => client.GetBoneDimensionsAsync(avatar, cancel), out dimensions, "GetBoneSize");
 
     public static bool TryGetBvhHeader(IntPtr socket, int avatar, [NotNullWhen(true)] out string? text) =>
-        TryAsk(socket, client => client.GetBvhHeaderTextAsync(avatar), out text, "GetBvhHeader");
+        TryAsk(socket, (client, cancel) => client.GetBvhHeaderTextAsync(avatar, cancel), out text, "GetBvhHeader");
 
     // Returns C text with a zero byte at its end.
     public static bool TryGetBvhHeader(IntPtr socket, int avatar, [NotNullWhen(true)] out byte[]? bytes)
@@ -74,16 +74,16 @@ internal sealed class VendorFunctions(IVendorCallbacks callbacks)
         return bytes is not null;
     }
 
-    private static bool TrySend(IntPtr socket, Func<NeuronCommandClient, Task> send, string name) => FunctionGuard.Call(
+    private static bool TrySend(IntPtr socket, Func<NeuronCommandClient, CancellationToken, Task> send, string name) => FunctionGuard.Call(
         (socket, send),
         static what => SocketTable.Find(what.socket) is CommandSocket command && command.TryCall(what.send),
         failure: false,
         name);
 
-    private static bool TryAsk<T>(IntPtr socket, Func<NeuronCommandClient, Task<T>> ask, out T? answer, string name)
+    private static bool TryAsk<T>(IntPtr socket, Func<NeuronCommandClient, CancellationToken, Task<T>> ask, out T? answer, string name)
     {
         Task<T>? answered = null;
-        bool isSent = TrySend(socket, client => answered = ask(client), name);
+        bool isSent = TrySend(socket, (client, cancel) => answered = ask(client, cancel), name);
         answer = isSent ? answered!.Result : default;
         return isSent;
     }

@@ -9,18 +9,27 @@ internal sealed class CommandSocket : VendorSocket
 {
     private static readonly TimeSpan OpenTimeout = TimeSpan.FromSeconds(5);
 
+    // Includes the time to connect again, and to wait for the calls of other threads.
+    private static readonly TimeSpan CallTimeout = TimeSpan.FromSeconds(3);
+
     private readonly object _owner;
     private readonly string _target;
     private readonly NeuronCommandClient? _client;
     private volatile Task _released = Task.CompletedTask;
 
     public CommandSocket(object owner, string host, int port)
+        : this(owner, host, port, OpenTimeout)
+    {
+    }
+
+    // connectTimeout: how long the client tries to connect, at most.
+    internal CommandSocket(object owner, string host, int port, TimeSpan connectTimeout)
     {
         _owner = owner;
         _target = FormattableString.Invariant($"{host}:{port}");
         try
         {
-            _client = new NeuronCommandClient(new NeuronCommandOptions { Host = host, Port = port, ConnectTimeout = OpenTimeout });
+            _client = new NeuronCommandClient(new NeuronCommandOptions { Host = host, Port = port, ConnectTimeout = connectTimeout });
         }
         catch (ArgumentException)
         {
@@ -36,14 +45,19 @@ internal sealed class CommandSocket : VendorSocket
 
     // Returns false for everything that is not a correct answer. An impossible answer sets the last error. A server that refuses or does not answer
     // leaves the last error unchanged. Blocks on the client's own task, because a continuation would need a thread of the pool.
-    public bool TryCall(Func<NeuronCommandClient, Task> call)
+    public bool TryCall(Func<NeuronCommandClient, CancellationToken, Task> call)
     {
         if (_client is null || IsClosed)
             return false;
 
         try
         {
-            call(_client).GetAwaiter().GetResult();
+            using var cancelSource = new CancellationTokenSource();
+            Task answered = call(_client, cancelSource.Token);
+            if (Task.WaitAny([answered], CallTimeout) < 0)
+                cancelSource.Cancel();
+
+            answered.GetAwaiter().GetResult();
             SetOpen();
             return true;
         }
@@ -55,9 +69,9 @@ internal sealed class CommandSocket : VendorSocket
             else if (exception.Reason is CommandFailure.InvalidReply)
                 LastError.Set(exception.Message);
         }
-        catch (Exception exception) when (exception is ObjectDisposedException or ArgumentOutOfRangeException)
+        catch (Exception exception) when (exception is ObjectDisposedException or ArgumentOutOfRangeException or OperationCanceledException)
         {
-            // The connection was closed meanwhile, or the avatar number is invalid.
+            // The connection was closed meanwhile, the avatar number is invalid, or the time is over.
         }
 
         return false;
