@@ -11,8 +11,9 @@ public sealed class RabbitMqPublisherOptions : RabbitMqOptions
     private const int MaxCapacity = 1 << 20;
 
     /// <summary>
-    /// Largest size of the stream in bytes; the broker then removes its oldest part. Null, the default, for no limit. A stream that exists keeps its limit,
-    /// and other values fail. A motion packet with displacement needs about 1.7 KB.
+    /// Largest size of the stream in bytes; the broker then removes its oldest part. Null, the default, for no limit. The broker removes segments of a quarter
+    /// of this size, and of 1 MB to 500 MB, so the stream can be larger by one segment. A stream that exists keeps its limit and its segments, and other
+    /// values fail. A motion packet with displacement needs about 1.7 KB.
     /// </summary>
     public long? StreamMaxBytes { get; set; }
 

@@ -103,7 +103,11 @@ internal sealed class PublishSession
 
         var arguments = new Dictionary<string, object?>(StringComparer.Ordinal) { ["x-queue-type"] = "stream" };
         if (options.StreamMaxBytes is { } limit)
+        {
+            // The broker removes whole segments, which have 500 MB unless a stream says otherwise.
             arguments.Add("x-max-length-bytes", limit);
+            arguments.Add("x-stream-max-segment-size-bytes", Math.Clamp(limit / 4, 1_000_000, 500_000_000));
+        }
 
         await channel.QueueDeclareAsync(stream, durable: true, exclusive: false, autoDelete: false, arguments, cancellationToken: cancellationToken)
             .ConfigureAwait(false);
