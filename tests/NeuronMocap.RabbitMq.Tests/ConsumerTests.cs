@@ -45,6 +45,16 @@ public sealed class ConsumerTests
         await pipe.Reader.CompleteAsync();
     }
 
+    // NeuronReaderOptions.MaxValues can be higher than its default.
+    [Fact]
+    public void A_source_leaves_the_limit_of_values_to_its_reader()
+    {
+        var state = new SourceState(new RabbitMqSourceOptions());
+
+        Assert.True(state.Take("main.x.motion", headers: null, TestPackets.Motion(1, count: 12_000)));
+        Assert.Equal(0, state.GetStatistics().Invalid);
+    }
+
     [Fact]
     public void A_reader_that_took_nothing_for_too_long_is_told_so()
     {
