@@ -12,8 +12,8 @@ namespace NeuronMocap.RabbitMq;
 /// counts them; other consumers of the reader are not affected. After a failure, the publisher connects again by itself.
 /// </para>
 /// <para>
-/// Frames that are text lines become binary packets. Their frame index is their number. The reader is the caller's: start it after the publisher, and
-/// dispose it before.
+/// Frames that are text lines become binary packets. Their frame index is their number. The reader is the caller's: start it after the publisher. After
+/// the reader has stopped, await <see cref="Completion"/>, and then dispose both in any order.
 /// </para>
 /// </remarks>
 public sealed class RabbitMqPublisher : IAsyncDisposable, IDisposable
