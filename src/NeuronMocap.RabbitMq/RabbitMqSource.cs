@@ -18,6 +18,10 @@ namespace NeuronMocap.RabbitMq;
 /// The reader connects again after a failure, as <see cref="NeuronReaderOptions.Reconnect"/> says. The source then counts the frames that it has missed, or
 /// continues in its stream.
 /// </para>
+/// <para>
+/// A source serves one reader. Frames that it has received and that reader has not taken are lost when the reader stops, and <see
+/// cref="RabbitMqSourceStatistics.Lost"/> does not count them. Create a source for each reader, also for one that comes after another.
+/// </para>
 /// </remarks>
 public sealed class RabbitMqSource : ByteSource
 {
