@@ -19,12 +19,19 @@ public static class VendorSession
     /// <remarks>
     /// Thread-safe. You can call it repeatedly. Closed handles stay invalid. Later connections work as at the start of the process.
     /// </remarks>
-    /// <param name="timeout">Maximum time to wait for running callbacks.</param>
+    /// <param name="timeout">
+    /// Maximum time to wait for running callbacks. <see cref="Timeout.InfiniteTimeSpan"/> and longer times than 24 days count as 24 days.
+    /// </param>
     /// <returns>
     /// False if a callback was still running after that time. Its connection is closed nevertheless, and no other callback follows.
     /// </returns>
     public static bool End(TimeSpan timeout)
     {
+        // The longest time that a thread can be joined.
+        var longest = TimeSpan.FromMilliseconds(int.MaxValue);
+        if (timeout == Timeout.InfiniteTimeSpan || timeout > longest)
+            timeout = longest;
+
         WrappedReader.BRRegisterFrameDataCallback(IntPtr.Zero, null);
         WrappedReader.BRRegisterCalculationDataCallback(IntPtr.Zero, null);
         WrappedReader.BRRegisterSocketStatusCallback(IntPtr.Zero, null);

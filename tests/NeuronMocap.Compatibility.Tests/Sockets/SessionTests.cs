@@ -50,6 +50,25 @@ public sealed class SessionTests
         Assert.Empty(first.Frames);
     }
 
+    [Theory]
+    [InlineData(Timeout.Infinite)]
+    [InlineData(long.MaxValue / TimeSpan.TicksPerMillisecond)]
+    public async Task Ending_waits_without_a_limit_for_a_busy_callback(long milliseconds)
+    {
+        using var log = new CallbackLog();
+        using var release = new ManualResetEventSlim();
+        using PacketServer server = await PacketServer.ConnectAsync(log);
+        log.OnFrame = _ => release.Wait(Limits.Unexpected);
+        await server.SendAsync(TestPackets.Motion(1), TestPackets.Motion(2));
+        await log.FramesAsync(1);
+
+        Task<bool> ending = Task.Run(() => VendorSession.End(TimeSpan.FromTicks(milliseconds * TimeSpan.TicksPerMillisecond)));
+        await Limits.UntilAsync(() => NeuronDataReader.BRGetSocketStatus(server.Socket) == SocketStatus.CS_OffWork);
+        release.Set();
+
+        Assert.True(await ending.Soon());
+    }
+
     [Fact]
     public async Task Ending_waits_for_a_busy_callback_up_to_its_limit()
     {
