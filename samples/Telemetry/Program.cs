@@ -24,7 +24,8 @@ using OpenTelemetry.Resources;
 using OpenTelemetry.Trace;
 
 HostApplicationBuilder builder = Host.CreateApplicationBuilder(new HostApplicationBuilderSettings { Args = args, ContentRootPath = AppContext.BaseDirectory });
-using Broadcaster? demo = builder.Configuration["NeuronReader:Host"] is null && builder.Configuration["NeuronReader:Port"] is null ? Broadcaster.StartDemo() : null;
+bool hasServer = Array.Exists(["Host", "Port", "Transport"], key => builder.Configuration[$"NeuronReader:{key}"] is not null);
+using Broadcaster? demo = hasServer ? null : Broadcaster.StartDemo();
 
 // This call reads the options from the section NeuronReader, connects the host's logs, and starts and stops the reader with the host.
 builder.Services.AddNeuronReader(options =>
