@@ -5,6 +5,7 @@
 //
 // In your own project: dotnet add package NeuronMocap (and NeuronMocap.Server for the simulator).
 // Exit code: 0 the playback has all received frames, 1 frames are missing or something failed, 2 wrong arguments.
+using System.Globalization;
 using NeuronMocap;
 using NeuronMocap.Bvh;
 using NeuronMocap.Recording;
@@ -15,7 +16,7 @@ const string BvhFile = "take.bvh";
 
 string address = args.Length > 0 ? args[0] : "demo";
 double seconds = 2;
-if (args.Length > 1 && !double.TryParse(args[1], out seconds))
+if (args.Length > 1 && !(double.TryParse(args[1], NumberStyles.Float, CultureInfo.InvariantCulture, out seconds) && seconds is > 0 and < 1e6))
 {
     Console.Error.WriteLine($"'{args[1]}' is not a number of seconds.");
     return 2;

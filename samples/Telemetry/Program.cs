@@ -10,7 +10,7 @@
 // In your own project: dotnet add package NeuronMocap.Hosting.
 // Exit code: 0 ended as requested, 1 no frame arrived or the collector accepted nothing, 2 wrong settings.
 using System.Diagnostics;
-using Microsoft.Extensions.Configuration;
+using System.Globalization;
 using Microsoft.Extensions.DependencyInjection;
 using Microsoft.Extensions.Hosting;
 using Microsoft.Extensions.Options;
@@ -48,13 +48,18 @@ else if (Uri.TryCreate(collector, UriKind.Absolute, out Uri? url))
 else
     return Fail(2, $"Collector is '{collector}'; it must be an address such as http://127.0.0.1:4318.");
 
+double seconds = 0;
+string? limit = builder.Configuration["Seconds"];
+if (limit is not null && !(double.TryParse(limit, NumberStyles.Float, CultureInfo.InvariantCulture, out seconds) && seconds is > 0 and < 1e6))
+    return Fail(2, $"Seconds is '{limit}'; it must be a number of seconds.");
+
 try
 {
     using IHost host = builder.Build();
     var reader = host.Services.GetRequiredService<NeuronReader>();
     var meters = host.Services.GetRequiredService<MeterProvider>();
     using var endSource = new CancellationTokenSource();
-    if (builder.Configuration.GetValue<double?>("Seconds") is { } seconds)
+    if (limit is not null)
         endSource.CancelAfter(TimeSpan.FromSeconds(seconds));
 
     await host.StartAsync();

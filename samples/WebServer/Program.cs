@@ -1,5 +1,6 @@
 // Sends motion to browsers over a WebSocket, and encrypted to NeuronMocap readers. Ctrl+C ends it.
 // --source HOST[:PORT] receives from a suit instead of the simulator; --web PORT and --tls PORT choose other ports, 0 for any.
+// Exit code: 0 ended as requested, 2 the source is not an address.
 
 using System.Net;
 using System.Security.Cryptography;
@@ -13,7 +14,18 @@ using X509Certificate2 certificate = CreateCertificate();
 File.WriteAllText("server.pem", certificate.ExportCertificatePem());
 
 await using Broadcaster? demo = builder.Configuration["source"] is null ? Broadcaster.StartDemo() : null;
-await using var reader = new NeuronReader(NeuronReaderOptions.Parse(builder.Configuration["source"] ?? $"{demo!.LocalEndPoint}"));
+NeuronReaderOptions options;
+try
+{
+    options = NeuronReaderOptions.Parse(builder.Configuration["source"] ?? $"{demo!.LocalEndPoint}");
+}
+catch (FormatException exception)
+{
+    Console.Error.WriteLine(exception.Message);
+    return 2;
+}
+
+await using var reader = new NeuronReader(options);
 await using var relay = new Broadcaster(new BroadcasterOptions { Reader = reader, Port = null });
 await using var web = new WebSocketBroadcaster(reader);
 
@@ -28,6 +40,7 @@ reader.StatusChanged += status => Console.WriteLine(status.Message);
 relay.Start();
 reader.Start();
 await application.RunAsync();
+return 0;
 
 // For this example. A real server has a certificate that its clients trust, and a key that stays the same.
 static X509Certificate2 CreateCertificate()

@@ -33,6 +33,18 @@ public sealed class SampleTests
         Assert.DoesNotContain("fail:", await rest, StringComparison.Ordinal);
     }
 
+    [Fact]
+    public async Task The_web_server_names_a_source_that_is_no_address()
+    {
+        using var program = new ToolProcess("WebServer", "--source", "no address", "--web", "0", "--tls", "0");
+        Task<string> output = program.Output.ReadToEndAsync(TestContext.Current.CancellationToken);
+        string error = await program.ReadErrorAsync();
+        await output;
+
+        Assert.Equal(2, await program.WaitForExitAsync());
+        Assert.Contains("'no address' is not an address", error, StringComparison.Ordinal);
+    }
+
     private static async Task<int> FindPortAsync(ToolProcess program, string address)
     {
         while (await program.Output.ReadLineAsync(TestContext.Current.CancellationToken).AsTask().Soon() is { } line)

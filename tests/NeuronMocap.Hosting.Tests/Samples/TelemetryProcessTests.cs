@@ -75,6 +75,8 @@ public sealed class TelemetryProcessTests
     [InlineData("Port is 0; it must be 1 to 65535.", "--NeuronReader:Host=studio", "--NeuronReader:Port=0")]
     [InlineData("Port is 'x'; it must be a whole number.", "--NeuronReader:Port=x")]
     [InlineData("Collector is 'studio'; it must be an address", "--Collector=studio")]
+    [InlineData("Seconds is 'abc'; it must be a number of seconds.", "--Seconds=abc")]
+    [InlineData("Seconds is '-1'; it must be a number of seconds.", "--Seconds=-1")]
     public async Task Wrong_settings_are_named(string expected, params string[] args)
     {
         using var program = new ToolProcess("Telemetry", args);
