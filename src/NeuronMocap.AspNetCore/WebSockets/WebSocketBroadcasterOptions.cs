@@ -51,7 +51,7 @@ public sealed class WebSocketBroadcasterOptions
         if (MaxClients is < 1 or > 100_000)
             return $"MaxClients is {MaxClients}; it must be 1 to 100,000.";
         if (MaxRate != 0 && MaxRate is not (>= 0.01 and <= 1000))
-            return $"MaxRate is {MaxRate}; it must be 0, or 0.01 to 1000.";
+            return FormattableString.Invariant($"MaxRate is {MaxRate}; it must be 0, or 0.01 to 1000.");
 
         return ClientTimeout < TimeSpan.FromSeconds(0.1) || ClientTimeout > TimeSpan.FromHours(1)
             ? $"ClientTimeout is {ClientTimeout}; it must be 0.1 s to 1 hour."

@@ -1,3 +1,4 @@
+using System.Globalization;
 using System.Net;
 using System.Net.WebSockets;
 using NeuronMocap.AspNetCore.Tests.Infrastructure;
@@ -114,5 +115,22 @@ public sealed class WebSocketRequestTests
         Assert.Throws<ArgumentNullException>(() => new WebSocketBroadcaster(null!));
 
         string Fault(WebSocketBroadcasterOptions options) => Assert.Throws<ArgumentException>(() => new WebSocketBroadcaster(reader, options)).Message;
+    }
+
+    [Fact]
+    public void A_message_about_an_option_does_not_depend_on_the_culture()
+    {
+        using var reader = new NeuronReader("127.0.0.1");
+        CultureInfo before = CultureInfo.CurrentCulture;
+        try
+        {
+            CultureInfo.CurrentCulture = new CultureInfo(string.Empty) { NumberFormat = { NumberDecimalSeparator = "," } };
+            string message = Assert.Throws<ArgumentException>(() => new WebSocketBroadcaster(reader, new() { MaxRate = 0.001 })).Message;
+            Assert.StartsWith("MaxRate is 0.001;", message, StringComparison.Ordinal);
+        }
+        finally
+        {
+            CultureInfo.CurrentCulture = before;
+        }
     }
 }
