@@ -45,10 +45,9 @@ public sealed class WebSocketBroadcaster : IAsyncDisposable
     private bool _hasEnded;
 
     /// <summary>Creates a broadcaster, which takes the reader's frames from now on.</summary>
-    /// <param name="reader">The reader. Its owner starts it and disposes it. When it has stopped, the clients are disconnected.</param>
+    /// <param name="reader">The reader. Its owner starts it and disposes it. When it has stopped, also before, the clients are disconnected.</param>
     /// <param name="options">The options, which are copied; null for the defaults.</param>
     /// <exception cref="ArgumentException">An option is out of range; the message names it.</exception>
-    /// <exception cref="ObjectDisposedException">The reader has been disposed.</exception>
     public WebSocketBroadcaster(NeuronReader reader, WebSocketBroadcasterOptions? options = null)
         : this(reader, options, new MessageEncoder().Encode)
     {

@@ -133,4 +133,15 @@ public sealed class WebSocketRequestTests
             CultureInfo.CurrentCulture = before;
         }
     }
+
+    [Fact]
+    public async Task A_reader_that_was_disposed_gives_nothing_to_broadcast()
+    {
+        var reader = new NeuronReader("127.0.0.1");
+        await reader.DisposeAsync();
+
+        await using var broadcaster = new WebSocketBroadcaster(reader);
+
+        await broadcaster.Completion.Soon();
+    }
 }
