@@ -156,6 +156,27 @@ public sealed class TakePageTests(SharedBrowser browser)
         page.AssertClean(static fault => fault.Contains("Failed to load resource", StringComparison.Ordinal) && fault.Contains(" 400 ", StringComparison.Ordinal));
     }
 
+    [Fact]
+    public async Task A_take_whose_upload_ends_late_waits_for_a_click()
+    {
+        await using RunningView view = await RunningView.StartAsync("demo");
+        await using TestPage page = await TestPage.OpenAsync(browser, view.Link);
+        await page.UntilMovingAsync();
+        byte[] walk = await File.ReadAllBytesAsync(Walk, TestContext.Current.CancellationToken);
+        Func<Task> endUpload = await HoldAsync(page, "/api/takes?name=first.bvh", () => page.DropAsync("first.bvh", walk));
+        await page.DropAsync("second.bvh", walk);
+        await UntilShownAsync(page);
+        string second = await TakeAsync(page);
+        await endUpload();
+        await page.Page.GetByText("first.bvh is ready.").WaitForAsync();
+        Assert.Equal(second, await TakeAsync(page));
+
+        await page.Page.GetByRole(AriaRole.Button, new PageGetByRoleOptions { Name = "Show", Exact = true }).ClickAsync();
+        await page.UntilAsync("second => window.neuronMocap.state().take !== second", second);
+        await UntilShownAsync(page);
+        page.AssertClean();
+    }
+
     private static async Task<BvhDocument> DownloadAsync(TestPage page)
     {
         IDownload download = await page.Page.RunAndWaitForDownloadAsync(
@@ -167,6 +188,18 @@ public sealed class TakePageTests(SharedBrowser browser)
         "() => { const { mode, take, performers } = window.neuronMocap.state(); return mode === 'take' && take !== null && performers.length === 1 && performers[0].hasFigure && performers[0].poses > 0; }");
 
     private static async Task<string> KeyAsync(TestPage page) => (await page.EvaluateAsync("() => window.neuronMocap.state().performers[0].key")).GetString()!;
+
+    private static async Task<string> TakeAsync(TestPage page) => (await page.StateAsync()).GetProperty("take").GetString()!;
+
+    // Holds the request that an action causes. Returns what lets it go on.
+    private static async Task<Func<Task>> HoldAsync(TestPage page, string address, Func<Task> action)
+    {
+        var held = new TaskCompletionSource<IRoute>(TaskCreationOptions.RunContinuationsAsynchronously);
+        await page.Page.RouteAsync(url => url.EndsWith(address, StringComparison.Ordinal), held.SetResult);
+        await action();
+        IRoute request = await held.Task;
+        return () => request.ContinueAsync();
+    }
 
     private static async Task<bool> IsPressedAsync(TestPage page, string name) =>
         await page.Page.Locator($"[aria-label={name}]").GetAttributeAsync("aria-pressed") == "true";

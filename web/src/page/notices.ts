@@ -17,12 +17,23 @@ export class Notices {
 
   /** Shows a sentence for some seconds. */
   say(text: string): void {
-    this._show(text, "notice", 6000);
+    this._showFor(6000, text, "notice");
   }
 
   /** Shows what went wrong, until it is closed or half a minute has passed. */
   problem(text: string): void {
-    this._show(text, "notice problem", 30_000);
+    this._showFor(30_000, text, "notice problem");
+  }
+
+  /** Shows a sentence with a button, until this button or the cross is pressed. */
+  offer(text: string, word: string, run: () => void): void {
+    const button = element("button", { class: "button", type: "button" }, word);
+    const notice = this._show(text, "notice offer");
+    notice.insertBefore(button, notice.lastChild);
+    button.addEventListener("click", () => {
+      notice.remove();
+      run();
+    });
   }
 
   /** Shows work that takes a while, until it ends. */
@@ -53,7 +64,12 @@ export class Notices {
     }
   }
 
-  private _show(text: string, kind: string, milliseconds: number): void {
+  private _showFor(milliseconds: number, text: string, kind: string): void {
+    const notice = this._show(text, kind);
+    setTimeout(() => notice.remove(), milliseconds);
+  }
+
+  private _show(text: string, kind: string): HTMLElement {
     for (const other of [...this._list.children]) {
       if (other.firstChild?.textContent === text)
         other.remove();
@@ -63,6 +79,6 @@ export class Notices {
     const notice = element("div", { class: kind }, element("span", {}, text), close);
     close.addEventListener("click", () => notice.remove());
     this._list.append(notice);
-    setTimeout(() => notice.remove(), milliseconds);
+    return notice;
   }
 }

@@ -37,6 +37,8 @@ class TakeScreen implements Takes {
   private _readoutAt = 0;
   private _wasPlaying = false;
   private _hasBegun = false;
+  // What is asked for later replaces what is still on its way.
+  private _wishes = 0;
 
   constructor(page: Page) {
     this._page = page;
@@ -85,7 +87,11 @@ class TakeScreen implements Takes {
   }
 
   async open(id: string): Promise<void> {
+    const wish = ++this._wishes;
     const info = await this._page.api.get<TakeInfo>(`takes/${encodeURIComponent(id)}`);
+    if (wish !== this._wishes)
+      return;
+
     this._leave();
     this._current = id;
     this._page.feed.pause();
@@ -105,6 +111,7 @@ class TakeScreen implements Takes {
   }
 
   close(): void {
+    this._wishes++;
     if (this._current === null)
       return;
 
@@ -139,12 +146,16 @@ class TakeScreen implements Takes {
       return;
     }
 
+    const wish = ++this._wishes;
     const cancel = new AbortController();
     const progress = notices.progress(`Opening ${file.name}`, () => cancel.abort());
     await notices.attempt(async () => {
       const address = `takes?name=${encodeURIComponent(file.name)}`;
       const { id } = await api.upload<{ id: string }>(address, file, part => progress.show(part), cancel.signal);
-      await this.open(id);
+      if (wish === this._wishes)
+        await this.open(id);
+      else
+        notices.offer(`${file.name} is ready.`, "Show", () => void notices.attempt(() => this.open(id)));
     });
     progress.end();
   }
