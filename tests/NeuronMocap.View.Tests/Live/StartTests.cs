@@ -5,7 +5,7 @@ using NeuronMocap.View.Tests.Infrastructure;
 
 namespace NeuronMocap.View.Tests.Live;
 
-// A page whose scripts do not arrive.
+// A page that cannot start.
 public sealed class StartTests(SharedBrowser browser)
 {
     [Fact]
@@ -25,5 +25,17 @@ public sealed class StartTests(SharedBrowser browser)
 
         await using RunningView again = await RunningView.StartAsync("demo", "--port", port);
         await page.WaitForFunctionAsync("() => window.neuronMocap?.state().performers.length === 1");
+    }
+
+    [Fact]
+    public async Task A_browser_without_WebGL_is_told_what_it_lacks()
+    {
+        await using RunningView view = await RunningView.StartAsync("demo");
+        await using IBrowserContext context = await (await browser.StartAsync()).NewContextAsync();
+        context.SetDefaultTimeout(TestPage.Patience);
+        await context.AddInitScriptAsync("HTMLCanvasElement.prototype.getContext = () => null;");
+        IPage page = await context.NewPageAsync();
+        await page.GotoAsync(view.Link.ToString());
+        await page.GetByText("This browser cannot draw in three dimensions (WebGL 2).").WaitForAsync();
     }
 }
