@@ -80,16 +80,16 @@ export class Playback {
     this.onChange?.();
   }
 
-  /** The part starts at a time. A part that would be empty loses its other end. */
+  /** The part starts at a time. A part that would be empty loses its other end, or has none at all. */
   setFrom(time: number | null): void {
-    this.from = time === null || time <= 0 ? null : Math.min(time, this.duration);
+    this.from = time === null || time <= 0 || time >= this.duration ? null : time;
     if (this.from !== null && this.to !== null && this.to <= this.from)
       this.to = null;
     this.onChange?.();
   }
 
   setTo(time: number | null): void {
-    this.to = time === null || time >= this.duration ? null : Math.max(time, 0);
+    this.to = time === null || time <= this.first || time >= this.duration ? null : time;
     if (this.to !== null && this.from !== null && this.from >= this.to)
       this.from = null;
     this.onChange?.();

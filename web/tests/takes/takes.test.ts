@@ -183,6 +183,17 @@ test("a recording plays again from its first frame", () => {
   assert.equal(playback.time, 350);
 });
 
+test("a part without length is no part", () => {
+  const playback = new Playback();
+  [playback.duration, playback.first] = [1000, 300];
+  playback.setFrom(1000);
+  playback.setTo(300);
+  assert.deepEqual([playback.from, playback.to], [null, null]);
+  playback.setFrom(400);
+  playback.setTo(300);
+  assert.deepEqual([playback.from, playback.to], [400, null]);
+});
+
 test("speeds stay between 0.1 and 4", () => {
   const playback = new Playback();
   for (let i = 0; i < 10; i++)
