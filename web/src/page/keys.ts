@@ -13,16 +13,21 @@ export interface Shortcut {
   run(): void;
 }
 
+// Some keyboards need Option or AltGr for brackets.
+const Sign = /^[^\p{L}\p{N}\s]$/u;
+
+const OtherLetter = /^(?!\p{Script=Latin})\p{L}$/u;
+
 /** Keys of the page. They do nothing while a field has the focus. */
 export class Keys {
   private readonly _shortcuts: Shortcut[] = [];
 
   constructor() {
     document.addEventListener("keydown", event => {
-      if (event.ctrlKey || event.metaKey || event.altKey || isField(event))
+      if (event.ctrlKey || event.metaKey || event.altKey && !Sign.test(event.key) || isField(event))
         return;
 
-      const key = event.key.length === 1 ? event.key.toLowerCase() : event.key;
+      const key = nameOf(event);
       const shortcut = this.all.find(each => each.key === key);
       if (!shortcut)
         return;
@@ -46,6 +51,13 @@ export class Keys {
         this._shortcuts.splice(this._shortcuts.indexOf(shortcut), 1);
     };
   }
+}
+
+// A keyboard of another alphabet has the shortcuts where a Latin one has their letters.
+function nameOf({ key, code }: KeyboardEvent): string {
+  if (OtherLetter.test(key) && code.startsWith("Key"))
+    return code.slice(-1).toLowerCase();
+  return key.length === 1 ? key.toLowerCase() : key;
 }
 
 // The space bar and Enter press a button that has the focus.

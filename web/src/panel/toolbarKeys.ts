@@ -22,6 +22,16 @@ export function addToolbarKeys(bar: HTMLElement): void {
   bar.addEventListener("focusout", event => {
     isClicked &&= bar.contains(event.relatedTarget as Node | null);
   });
+  const leave = (): void => {
+    if (isClicked && bar.contains(document.activeElement))
+      (document.activeElement as HTMLElement).blur();
+    isClicked = false;
+  };
+  bar.addEventListener("click", event => {
+    if (!(event.target instanceof HTMLSelectElement))
+      leave();
+  });
+  bar.addEventListener("change", leave);
   bar.addEventListener("focusin", event => hold((event.target as HTMLElement).closest<HTMLElement>("button, select") ?? undefined));
   bar.addEventListener("keydown", event => {
     const all = items();

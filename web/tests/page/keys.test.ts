@@ -11,7 +11,7 @@ function createKeys() {
   };
   const target = { matches: () => false };
   const keys = new Keys();
-  return { keys, press: (key: string, repeat = false) => listener({ key, repeat, target, preventDefault: () => {} } as unknown as KeyboardEvent) };
+  return { keys, press: (key: string, others: Partial<KeyboardEvent> = {}) => listener({ key, target, preventDefault: () => {}, ...others } as unknown as KeyboardEvent) };
 }
 
 test("a key that is held runs once, unless it steps", () => {
@@ -20,8 +20,8 @@ test("a key that is held runs once, unless it steps", () => {
   keys.add({ key: "r", does: "Record", group: "", run: () => runs.push("r") }, { key: ".", does: "Step", group: "", repeats: true, run: () => runs.push(".") });
   for (const key of ["r", "."]) {
     press(key);
-    press(key, true);
-    press(key, true);
+    press(key, { repeat: true });
+    press(key, { repeat: true });
   }
 
   assert.deepEqual(runs, ["r", ".", ".", "."]);
@@ -37,4 +37,26 @@ test("a key without a use does nothing and is not listed", () => {
   isUseful = true;
   press("r");
   assert.deepEqual([runs, keys.all.length], [1, 1]);
+});
+
+test("a keyboard that needs Option for brackets has them, and no letters with Option", () => {
+  const { keys, press } = createKeys();
+  const runs: string[] = [];
+  keys.add(...["[", "r", "1"].map(key => ({ key, does: "", group: "", run: () => runs.push(key) })));
+  press("[", { altKey: true, code: "Digit5" });
+  press("r", { altKey: true, code: "KeyR" });
+  press("®", { altKey: true, code: "KeyR" });
+  press("1", { altKey: true, code: "Digit1" });
+  assert.deepEqual(runs, ["["]);
+});
+
+test("a key of another alphabet is the Latin letter in its place", () => {
+  const { keys, press } = createKeys();
+  const runs: string[] = [];
+  keys.add(...["r", "w"].map(key => ({ key, does: "", group: "", run: () => runs.push(key) })));
+  press("к", { code: "KeyR" });
+  press("ς", { code: "KeyW" });
+  press("é", { code: "KeyW" });
+  press("о", { code: "KeyJ" });
+  assert.deepEqual(runs, ["r", "w"]);
 });
