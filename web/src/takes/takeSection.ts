@@ -11,8 +11,14 @@ export class TakeSection {
   private readonly _page: Page;
   private readonly _playback: Playback;
   private readonly _close: () => void;
+  private readonly _figures = element("dl", { class: "figures" });
+  private readonly _share = element("small");
+  private readonly _bar = element("progress", { max: "1", "aria-label": "Reading the file" });
+  private readonly _reading = element("div", { class: "reading" }, this._share, this._bar);
+  private readonly _problems = element("ul", { class: "problems", "aria-label": "Problems of the file" });
   private readonly _part = element("small");
-  private _shown = "";
+  private _downloads: HTMLElement = element("div");
+  private _shown: string | null = null;
 
   constructor(page: Page, playback: Playback, close: () => void) {
     this._page = page;
@@ -20,29 +26,21 @@ export class TakeSection {
     this._close = close;
   }
 
+  /** Shows what the server knows of a take now. The buttons of a take stay, because one of them may have the focus. */
   show(info: TakeInfo): void {
-    const text = JSON.stringify({ ...info, performers: info.performers.map(each => [each.key, each.frames]) });
-    if (text === this._shown)
-      return;
+    if (this._shown !== info.id)
+      this._build(info);
 
-    this._shown = text;
-    const place = this._page.slots.take;
     const rows: [string, string][] = [["Kind", KindWords[info.kind]], ["Duration", `${clock(info.duration)}`]];
     for (const performer of info.performers)
       rows.push([info.performers.length > 1 ? performer.name : "Frames", framesOf(performer.frames, performer.rate)]);
-    place.replaceChildren(
-      element("h2", {}, "Take"),
-      element("p", { class: "state-line" }, element("strong", { class: "name" }, info.name)),
-      element("dl", { class: "figures" }, ...rows.map(([name, value]) => element("div", {}, element("dt", {}, name), element("dd", {}, value)))));
-    if (info.progress < 1)
-      place.append(progressOf(info.progress));
-    if (info.problems.length > 0)
-      place.append(element("ul", { class: "problems", "aria-label": "Problems of the file" }, ...info.problems.map(text => element("li", {}, text))));
-    if (info.performers.length > 0)
-      place.append(this._part, downloadButtons(this._page, info.id, info.name, this._playback));
-    this.showPart();
-    if (this._page.connection.hello?.mode !== "take")
-      place.append(element("div", { class: "buttons" }, wordButton("live", "Back to live", this._close)));
+    this._figures.replaceChildren(...rows.map(([name, value]) => element("div", {}, element("dt", {}, name), element("dd", {}, value))));
+    this._reading.hidden = info.progress >= 1;
+    this._bar.value = info.progress;
+    setText(this._share, `Reading the file: ${Math.floor(info.progress * 100)} %`);
+    this._problems.hidden = info.problems.length === 0;
+    this._problems.replaceChildren(...info.problems.map(text => element("li", {}, text)));
+    this._downloads.hidden = info.performers.length === 0;
   }
 
   /** Says what a download holds: in and out points have changed. */
@@ -53,17 +51,25 @@ export class TakeSection {
   }
 
   clear(): void {
-    this._shown = "";
+    this._shown = null;
     this._page.slots.take.replaceChildren();
+  }
+
+  private _build(info: TakeInfo): void {
+    this._shown = info.id;
+    this._downloads = downloadButtons(this._page, info.id, info.name, this._playback);
+    const place = this._page.slots.take;
+    place.replaceChildren(
+      element("h2", {}, "Take"),
+      element("p", { class: "state-line" }, element("strong", { class: "name" }, info.name)),
+      this._figures, this._reading, this._problems, this._part, this._downloads);
+    if (this._page.connection.hello?.mode !== "take")
+      place.append(element("div", { class: "buttons" }, wordButton("live", "Back to live", this._close)));
+    this.showPart();
   }
 }
 
 function framesOf(frames: number, rate: number | null): string {
   const count = frames.toLocaleString("en").replace(/,/g, " ");
   return rate === null ? `${count} frames` : `${count} at ${Math.round(rate * 100) / 100} Hz`;
-}
-
-function progressOf(part: number): HTMLElement {
-  const bar = element("progress", { max: "1", value: part.toFixed(3), "aria-label": "Reading the file" });
-  return element("div", { class: "reading" }, element("small", {}, `Reading the file: ${Math.floor(part * 100)} %`), bar);
 }

@@ -1,0 +1,53 @@
+/** As much of an element as parts of the panel need. Importing it makes a document of such elements. */
+export class FakeElement extends EventTarget {
+  readonly attributes = new Map<string, string>();
+  readonly classList = { add: () => {}, toggle: () => {} };
+  readonly dataset = {};
+  hidden = false;
+  private _children: (FakeElement | string)[] = [];
+
+  constructor(readonly name: string) {
+    super();
+  }
+
+  get textContent(): string {
+    return this._children.map(child => typeof child === "string" ? child : child.textContent).join(" ");
+  }
+
+  set textContent(text: string) {
+    this._children = [text];
+  }
+
+  /** The elements inside that have a name. */
+  all(name: string): FakeElement[] {
+    const inside = this._children.filter(child => child instanceof FakeElement);
+    return inside.flatMap(child => [...child.name === name ? [child] : [], ...child.all(name)]);
+  }
+
+  setAttribute(name: string, value: string): void {
+    this.attributes.set(name, value);
+  }
+
+  append(...children: (FakeElement | string)[]): void {
+    this._children.push(...children);
+  }
+
+  prepend(...children: (FakeElement | string)[]): void {
+    this._children.unshift(...children);
+  }
+
+  replaceChildren(...children: (FakeElement | string)[]): void {
+    this._children = children;
+  }
+
+  querySelector(name: string): FakeElement | undefined {
+    return this.all(name)[0];
+  }
+}
+
+Object.assign(globalThis, {
+  document: {
+    createElement: (name: string) => new FakeElement(name),
+    createElementNS: (_: string, name: string) => new FakeElement(name),
+  },
+});
