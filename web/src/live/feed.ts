@@ -3,7 +3,7 @@ import type { Performer } from "../scene/performer";
 import type { Performers } from "../scene/performers";
 import { unixNow } from "./clock";
 import type { Connection } from "./connection";
-import type { PerformerInfo } from "./messages";
+import type { Contact, PerformerInfo } from "./messages";
 import { avatarOf, decodePose, Pose } from "./pose";
 
 const RetryAfter = 500;
@@ -19,6 +19,8 @@ export class LiveFeed {
   private readonly _connection: Connection;
   private readonly _performers: Performers;
   private readonly _known = new Map<string, PerformerInfo>();
+  // The server tells them only when they change.
+  private readonly _contacts = new Map<string, Contact>();
   private readonly _newest = new Map<number, DataView>();
   private readonly _pose = new Pose();
   private readonly _listeners: (() => void)[] = [];
@@ -37,8 +39,8 @@ export class LiveFeed {
         this._put(message);
       else if (message.type === "gone")
         this._remove(message.key);
-      else if (message.type === "contact" && !this._paused)
-        performers.get(message.key)?.setContacts(message.left, message.right);
+      else if (message.type === "contact")
+        this._touch(message);
     });
     this._adjust();
   }
@@ -67,7 +69,7 @@ export class LiveFeed {
     this._paused = false;
     this._performers.clear();
     for (const info of this._known.values())
-      this._performers.put(info);
+      this._show(info);
     this._adjust();
     this._tell();
   }
@@ -145,11 +147,23 @@ export class LiveFeed {
     const info = { key, name, index, colour, variant, bones };
     this._known.set(key, info);
     if (!this._paused)
-      this._performers.put(info);
+      this._show(info);
+  }
+
+  private _show(info: PerformerInfo): void {
+    const { left, right } = this._contacts.get(info.key) ?? { left: false, right: false };
+    this._performers.put(info).setContacts(left, right);
+  }
+
+  private _touch(contact: Contact): void {
+    this._contacts.set(contact.key, contact);
+    if (!this._paused)
+      this._performers.get(contact.key)?.setContacts(contact.left, contact.right);
   }
 
   private _remove(key: string): void {
     this._known.delete(key);
+    this._contacts.delete(key);
     if (!this._paused)
       this._performers.remove(key);
   }

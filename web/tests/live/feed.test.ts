@@ -21,6 +21,7 @@ function createFeed() {
   const sockets: FakeSocket[] = [];
   const shown: string[] = [];
   const onStage = new Set<string>();
+  const onGround = new Map<string, [boolean, boolean]>();
   let tellState = (_: ConnectionState): void => {};
   let tell = (_: ServerMessage): void => {};
   const connection = {
@@ -31,16 +32,22 @@ function createFeed() {
     onMessage: (listener: typeof tell) => { tell = listener; },
   };
   const performers = {
-    put: (info: { key: string }) => onStage.add(info.key),
+    put: ({ key }: { key: string }) => {
+      onStage.add(key);
+      return performers.get(key);
+    },
     remove: (key: string) => onStage.delete(key),
-    clear: () => onStage.clear(),
-    get: () => undefined,
+    clear: () => {
+      onStage.clear();
+      onGround.clear();
+    },
+    get: (key: string) => ({ setContacts: (left: boolean, right: boolean) => onGround.set(key, [left, right]) }),
     withIndex: (index: number) => onStage.has(`0-${index}`) ? { show: (pose: Pose) => shown.push(`${index}:${pose.frame}`) } : undefined,
   };
   const api = { socket: () => sockets[sockets.push(new FakeSocket()) - 1] };
   const feed = new LiveFeed(api as unknown as Api, connection as unknown as Connection, performers as unknown as Performers);
   return {
-    feed, sockets, shown, onStage,
+    feed, sockets, shown, onStage, onGround,
     say: (message: ServerMessage) => tell(message),
     become: (state: ConnectionState) => {
       connection.state = state;
@@ -114,4 +121,20 @@ test("after a reconnection, performers that have left are gone", () => {
   const stays = { ...performer("0-1"), index: 1 };
   say({ type: "hello", name: "", version: "", mode: "live", source: "", canCommand: false, performers: [stays] });
   assert.deepEqual([...onStage], ["0-1"]);
+});
+
+test("feet that touch the ground do so after a take and with another name", () => {
+  const { feed, onGround, say, become } = createFeed();
+  become("open");
+  say(add(0));
+  say({ type: "contact", key: "0-0", left: true, right: false });
+  onGround.clear();
+  say({ ...add(0), name: "Anna" } as ServerMessage);
+  assert.deepEqual(onGround.get("0-0"), [true, false]);
+
+  feed.pause();
+  say({ type: "contact", key: "0-0", left: true, right: true });
+  assert.equal(onGround.size, 0);
+  feed.resume();
+  assert.deepEqual(onGround.get("0-0"), [true, true]);
 });
