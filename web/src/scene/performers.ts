@@ -10,6 +10,7 @@ export class Performers {
   private readonly _stage: Stage;
   private readonly _byKey = new Map<string, Performer>();
   private readonly _byIndex = new Map<number, Performer>();
+  private readonly _loading = new Set<Performer>();
   private readonly _listeners: (() => void)[] = [];
   private readonly _pictureSize = new Vector2();
   private readonly _figureOf: (key: string) => Promise<ArrayBuffer>;
@@ -50,8 +51,10 @@ export class Performers {
   /** Adds a performer, or replaces it if its body, name or colour changed. */
   put(info: PerformerInfo): Performer {
     const known = this._byKey.get(info.key);
-    if (known && JSON.stringify(known.info) === JSON.stringify(info))
+    if (known && JSON.stringify(known.info) === JSON.stringify(info)) {
+      void this._loadFigure(known);
       return known;
+    }
 
     known?.dispose();
     const performer = new Performer(info, this._pictureSize);
@@ -114,8 +117,12 @@ export class Performers {
     return changed;
   }
 
-  // The sticks stay if there is no figure.
+  // The sticks stay if there is no figure. The next message about the performer asks for it again.
   private async _loadFigure(performer: Performer): Promise<void> {
+    if (performer.hasFigure || this._loading.has(performer))
+      return;
+
+    this._loading.add(performer);
     try {
       const figure = await Figure.load(this._figureOf(performer.info.key), performer.body, this._stage.isSoftware);
       await this._stage.prepare(figure.root);
@@ -125,6 +132,8 @@ export class Performers {
         figure.dispose();
     } catch {
       performer.refresh();
+    } finally {
+      this._loading.delete(performer);
     }
   }
 
