@@ -1,6 +1,6 @@
 import type { Characters, Page, Takes } from "../page/page";
 import { Cast } from "./cast";
-import { CharacterEndings, findCharacters } from "./files";
+import { CharacterChoices, findCharacters } from "./files";
 import { CharacterSection } from "./section";
 
 /** Characters dropped on the page, and how they move. */
@@ -11,12 +11,12 @@ export function createCharacters(page: Page, takes: Takes): Characters {
     setBeside: (character, beside) => cast.setBeside(character, beside),
     plantFeet: (character, plants) => cast.plantFeet(character, plants),
     remove: character => cast.remove(character),
-    choose: () => page.drops.choose(CharacterEndings),
+    choose: () => page.drops.choose(CharacterChoices),
   });
   section.show([], []);
   page.drops.add({
     what: "characters (VRM, GLB, glTF)",
-    endings: CharacterEndings,
+    endings: CharacterChoices,
     accepts: files => findCharacters(files).length > 0,
     take: async files => {
       // One after the other, so that each finds a performer of its own.

@@ -1,6 +1,9 @@
 /** Endings of the files that show a character. */
 export const CharacterEndings: readonly string[] = [".vrm", ".glb", ".gltf"];
 
+/** What the dialog for characters shows: a .gltf comes with its buffers and pictures. */
+export const CharacterChoices: readonly string[] = [...CharacterEndings, ".bin", "image/*"];
+
 /** What a glTF file requires that this page does not read, in words. */
 const Unsupported: Readonly<Record<string, string>> = {
   KHR_draco_mesh_compression: "compressed with Draco",

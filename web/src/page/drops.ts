@@ -1,8 +1,10 @@
+import { filesIn } from "./folders";
+
 /** What takes dropped or chosen files. All whose `accepts` returns true get them. */
 export interface FileTaker {
   /** What it takes, in words: "recordings (BVH, .nmrec, .calc)". */
   readonly what: string;
-  /** Endings with a dot, for the dialog that chooses files. */
+  /** Endings with a dot or types such as image/*, for the dialog that chooses files. */
   readonly endings: readonly string[];
   accepts(files: readonly File[]): boolean;
   take(files: readonly File[]): void | Promise<void>;
@@ -29,7 +31,8 @@ export class Drops {
     target.addEventListener("drop", event => {
       event.preventDefault();
       mark(-inside);
-      this.open([...event.dataTransfer?.files ?? []]);
+      if (event.dataTransfer)
+        void this._drop(event.dataTransfer);
     });
   }
 
@@ -57,5 +60,23 @@ export class Drops {
     input.accept = endings.join(",");
     input.addEventListener("change", () => this.open([...input.files ?? []]));
     input.click();
+  }
+
+  private async _drop({ items, files }: DataTransfer): Promise<void> {
+    const entries = [...items].map(item => item.webkitGetAsEntry());
+    const folder = entries.find(entry => entry?.isDirectory);
+    if (!folder) {
+      this.open([...files]);
+      return;
+    }
+
+    try {
+      const all = await filesIn(entries);
+      if (all.length === 0)
+        this._say(`The folder ${folder.name} is empty.`);
+      this.open(all);
+    } catch (error) {
+      this._say(`The browser cannot read the folder ${folder.name}: ${(error as Error).message}`);
+    }
   }
 }
