@@ -25,7 +25,11 @@ import { createTakes } from "./takes/takes";
 const slots = createSlots();
 const notices = new Notices(slots.stage.appendChild(element("div", { class: "notices", role: "status", "aria-live": "polite" })));
 const settings = new SettingsStore();
-const stage = new Stage(slots.stage, () => loop.invalidate());
+let resized = false;
+const stage = new Stage(slots.stage, () => {
+  resized = true;
+  loop.invalidate();
+});
 const loop = new Loop(() => stage.draw());
 const performers = new Performers(stage, key => api.bytes(figureAddress(key)));
 const page: Page = {
@@ -58,8 +62,10 @@ loop.add("scene", (_, step) => {
 loop.add("camera", (_, step) => {
   views.update(settings.now.follow);
   const moved = rig.update(step);
-  if (posed || moved) {
+  if (posed || moved)
     quality.judge(step);
+  if (posed || moved || resized) {
+    resized = false;
     labels.update(settings.now.names, settings.now.mirror);
     loop.invalidate();
   }

@@ -177,6 +177,24 @@ public sealed class TakePageTests(SharedBrowser browser)
         page.AssertClean();
     }
 
+    [Fact]
+    public async Task A_name_stays_above_a_performer_who_stands_still_when_the_picture_changes_its_size()
+    {
+        await using RunningView view = await RunningView.StartAsync(Walk);
+        await using TestPage page = await TestPage.OpenAsync(browser, view.Link);
+        await UntilShownAsync(page);
+        const string IsAtMiddle = """
+            width => {
+              const name = document.querySelector(".label").getBoundingClientRect();
+              return innerWidth === width && name.width > 0 && Math.abs(name.left + name.width / 2 - width / 2) < 30;
+            }
+            """;
+        await page.UntilAsync(IsAtMiddle, 480);
+        await page.Page.SetViewportSizeAsync(700, 400);
+        await page.UntilAsync(IsAtMiddle, 700);
+        page.AssertClean();
+    }
+
     private static async Task<BvhDocument> DownloadAsync(TestPage page)
     {
         IDownload download = await page.Page.RunAndWaitForDownloadAsync(
