@@ -21,6 +21,10 @@ const LongestStep = 50;
 /** Hair and clothes swing on for a while after the last pose, in milliseconds. */
 const SwingFor = 2000;
 
+/** A pose farther from the one before is another moment: metres of the hips, and milliseconds. */
+const LongestMove = 0.5;
+const LongestPause = 500;
+
 type Point = [number, number, number];
 
 /** A character on the stage. Allocates nothing per pose. */
@@ -75,6 +79,7 @@ export class Character {
 
   /** Number of places beside the performer, 0 for the performer's own place. */
   set place(value: number) {
+    this._hasSwung &&= value === this.place;
     this.group.position.x = value * Beside;
   }
 
@@ -93,6 +98,7 @@ export class Character {
 
   /** Shows a pose of the server, or one on the way to the next. Returns false for bytes that are not one of this character. */
   show(view: DataView, next: DataView | null = null, part = 0): boolean {
+    const before = this._pose.time;
     if (!this._hips || !this._pose.decode(view))
       return false;
 
@@ -101,7 +107,10 @@ export class Character {
     const { rotations, hips } = this._pose;
     for (let i = 0; i < this._objects.length; i++)
       this._objects[i].quaternion.set(rotations[i * 4], rotations[i * 4 + 1], rotations[i * 4 + 2], rotations[i * 4 + 3]);
-    this._hips.position.set(hips[0], hips[1], hips[2]);
+    const { position } = this._hips;
+    const move = Math.hypot(hips[0] - position.x, hips[1] - position.y, hips[2] - position.z);
+    this._hasSwung &&= move < LongestMove && Math.abs(this._pose.time - before) < LongestPause;
+    position.set(hips[0], hips[1], hips[2]);
     this._hasPose = true;
     this.group.visible = !this._isHidden;
     this._since = 0;
@@ -119,7 +128,7 @@ export class Character {
     if (!vrm)
       return isNew;
 
-    // Without this, hair and clothes fly from the rest pose to the first pose.
+    // Without this, hair and clothes fly from the rest pose to the first pose, and from one moment to another.
     if (!this._hasSwung) {
       vrm.update(0);
       vrm.springBoneManager?.reset();

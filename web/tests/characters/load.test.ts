@@ -129,6 +129,34 @@ test("poses turn the nodes, and a VRM's own bones follow", async () => {
   }
 });
 
+test("hair does not fly to another moment or another place", async () => {
+  const { loaded, skeleton } = await load({ vrm: "1" });
+  const character = new Character(loaded, skeleton);
+  const hips = skeleton.humanoid!["hips"];
+  character.bind({ id: 7, bones: [{ node: hips, bone: "Hips", humanoid: "hips" }], hipsNode: hips, problems: [] });
+  const [root, tip] = ["tail0", "tail2"].map(name => loaded.root.getObjectByName(name)!);
+  const direction = (): Vector3 => tip.getWorldPosition(new Vector3()).sub(root.getWorldPosition(new Vector3())).normalize();
+  const show = (x: number, time: number): void => {
+    character.show(poseOf([x, 0.95, 0], [[0, 0, 0, 1]], time));
+    character.update(16);
+  };
+  for (let time = 0; time < 1000; time += 16)
+    show(0, time);
+
+  const rest = direction();
+  const turn = (): number => rest.angleTo(direction()) * 180 / Math.PI;
+  show(0.1, 1016);
+  assert.ok(turn() > 20, `a movement turns it by ${turn()}`);
+  const changes: (() => void)[] = [() => show(3, 1032), () => show(3.4, 3000), () => show(3, 1000), () => {
+    character.place = 3;
+    show(3, 1016);
+  }];
+  changes.forEach((change, i) => {
+    change();
+    assert.ok(turn() < 20, `change ${i} turns it by ${turn()}`);
+  });
+});
+
 test("all that a character holds on the graphics card is freed", async () => {
   const { loaded, skeleton } = await load({ vrm: "1" });
   const character = new Character(loaded, skeleton);
@@ -148,11 +176,12 @@ test("all that a character holds on the graphics card is freed", async () => {
   assert.equal(freed, held.size);
 });
 
-function poseOf(hips: readonly number[], rotations: readonly (readonly number[])[]): DataView {
+function poseOf(hips: readonly number[], rotations: readonly (readonly number[])[], time = 0): DataView {
   const view = new DataView(new ArrayBuffer(28 + rotations.length * 6));
   view.setUint8(0, 1);
   view.setUint8(1, 2);
   view.setUint16(2, rotations.length, true);
+  view.setUint32(8, time * 1000, true);
   hips.forEach((value, i) => view.setFloat32(16 + i * 4, value, true));
   rotations.forEach((rotation, i) => {
     const largest = rotation.reduce((best, value, axis) => Math.abs(value) > Math.abs(rotation[best]) ? axis : best, 0);
