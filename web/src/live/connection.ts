@@ -23,6 +23,7 @@ export class Connection {
   private readonly _api: Api;
   private readonly _listeners: ((message: ServerMessage) => void)[] = [];
   private readonly _stateListeners: ((state: ConnectionState) => void)[] = [];
+  private readonly _openListeners: (() => void)[] = [];
   private _state: ConnectionState = "connecting";
   private _socket: WebSocket | null = null;
   private _wait = FirstWait;
@@ -53,6 +54,11 @@ export class Connection {
 
   onState(listener: (state: ConnectionState) => void): void {
     this._stateListeners.push(listener);
+  }
+
+  /** Waits until the connection is open. */
+  opened(): Promise<void> {
+    return this._state === "open" ? Promise.resolve() : new Promise(resolve => this._openListeners.push(resolve));
   }
 
   /** Gives the listeners all messages, from the first one on. Called once, when the page is complete. */
@@ -188,5 +194,7 @@ export class Connection {
     this._state = state;
     for (const listener of this._stateListeners)
       listener(state);
+    for (const resolve of state === "open" ? this._openListeners.splice(0) : [])
+      resolve();
   }
 }

@@ -48,7 +48,10 @@ export class TakePlayer {
       const performer = info.performers[i];
       const query = `performer=${encodeURIComponent(performer.key)}`;
       const shown = this._performers[i] ??= {
-        track: new Track(performer, (from, count) => this._page.api.bytes(`${this._base}/poses?${query}&from=${from}&count=${count}`)),
+        track: new Track(performer, async (from, count) => {
+          await this._page.connection.opened();
+          return this._page.api.bytes(`${this._base}/poses?${query}&from=${from}&count=${count}`);
+        }),
         contacts: null,
         frame: -1,
       };

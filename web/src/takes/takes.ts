@@ -183,11 +183,12 @@ class TakeScreen implements Takes {
     }
   }
 
-  // Asks again while the server reads the file, and while it does not answer.
+  // Asks again while the server reads the file, and after it did not answer. A tab in the background asks for nothing.
   private async _watch(player: TakePlayer, info: TakeInfo, isShown: boolean): Promise<void> {
     let known = info;
     while (known.progress < 1 || !isShown) {
       await new Promise(resolve => setTimeout(resolve, AskAgain));
+      await this._page.connection.opened();
       if (this._player !== player)
         return;
 

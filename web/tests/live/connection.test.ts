@@ -55,6 +55,20 @@ test("the first connection needs no request, and is open when the program has in
   assert.deepEqual(asked, []);
 });
 
+test("what needs the program waits until the connection is open", async () => {
+  const { connection, sockets } = createConnection(() => Promise.resolve());
+  let runs = 0;
+  const wait = () => void connection.opened().then(() => runs++);
+  wait();
+  connection.connect();
+  await settle();
+  assert.equal(runs, 0);
+  sockets[0].say(hello);
+  wait();
+  await settle();
+  assert.equal(runs, 2);
+});
+
 test("messages that come before the page is complete wait for it", () => {
   const { connection, sockets } = createConnection(() => Promise.resolve());
   const heard: string[] = [];
