@@ -40,6 +40,8 @@ export class FakeElement extends EventTarget {
     this._children = children;
   }
 
+  replaceWith(): void {}
+
   querySelector(name: string): FakeElement | undefined {
     return this.all(name)[0];
   }

@@ -52,14 +52,17 @@ export class Panel {
     page.performers.onChange(() => this.update());
     page.feed.onChange(() => this.update());
     connection.onMessage(message => {
-      if (message.type === "hello")
+      if (message.type === "hello") {
         zeroOut.allow(message.canCommand);
-      else if (message.type === "recording")
+        recorder.clear();
+      } else if (message.type === "recording") {
         recorder.show(message);
-      else if (message.type === "problem")
+      } else if (message.type === "problem") {
         page.notices.problem(message.text);
-      else if (message.type === "status")
+      } else if (message.type === "status") {
         this.status = message;
+      }
+
       this.update();
     });
     this.update();

@@ -39,6 +39,13 @@ export class Recorder {
     this.button.disabled = false;
   }
 
+  /** Forgets the recordings. The program tells its own after each hello. */
+  clear(): void {
+    this._isRecording = false;
+    this._known.clear();
+    this._finished.replaceChildren();
+  }
+
   show(recording: Recording): void {
     const wasRecording = this._isRecording;
     this._isRecording = recording.state === "recording";
