@@ -39,7 +39,8 @@ export class Notices {
   /** Shows work that takes a while, until it ends. */
   progress(text: string, cancel: () => void): ProgressNotice {
     const bar = element("progress", { max: "1", value: "0", "aria-label": text });
-    const share = element("small", {}, "0 %");
+    // The list is read aloud at each change.
+    const share = element("small", { "aria-hidden": "true" }, "0 %");
     const stop = element("button", { class: "button", type: "button" }, "Cancel");
     stop.addEventListener("click", cancel);
     const notice = element("div", { class: "notice working" }, element("span", {}, text), share, bar, stop);
