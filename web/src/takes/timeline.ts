@@ -138,23 +138,28 @@ export function xOf(time: number, view: TimeView, axis: number): number {
   return Gutter + (time - view.from) / (view.to - view.from) * axis;
 }
 
-/** Lets a pointer choose the time, and the wheel choose the visible part. */
+/** Lets a pointer choose the time, and the wheel choose the visible part. Of several fingers, the first one does. */
 export function connectSeeking(target: HTMLElement, canvas: LayeredCanvas, view: TimeView, seek: (time: number) => void, end: () => void): void {
   const timeAt = (event: MouseEvent): number =>
     view.from + (event.clientX - target.getBoundingClientRect().left - Gutter) / canvas.axis * view.span;
+  let held = -1;
   target.addEventListener("pointerdown", event => {
-    if (event.button !== 0)
+    if (event.button !== 0 || target.hasPointerCapture(held))
       return;
 
-    target.setPointerCapture(event.pointerId);
+    held = event.pointerId;
+    target.setPointerCapture(held);
     target.focus({ preventScroll: true });
     seek(timeAt(event));
   });
   target.addEventListener("pointermove", event => {
-    if (target.hasPointerCapture(event.pointerId))
+    if (event.pointerId === held && target.hasPointerCapture(held))
       seek(timeAt(event));
   });
-  target.addEventListener("lostpointercapture", end);
+  target.addEventListener("lostpointercapture", event => {
+    if (event.pointerId === held)
+      end();
+  });
   target.addEventListener("wheel", event => {
     event.preventDefault();
     if (event.shiftKey || Math.abs(event.deltaX) > Math.abs(event.deltaY))
