@@ -1,4 +1,5 @@
 import { Color, NeutralToneMapping, type Object3D, PCFShadowMap, PerspectiveCamera, Scene, type WebGLRenderer } from "three";
+import { watchPixelRatio } from "../page/pixelRatio";
 import { DarkScene, LightScene } from "./colours";
 import { Floor } from "./floor";
 import { createGraphics } from "./graphics";
@@ -39,6 +40,7 @@ export class Stage {
     this.canvas.setAttribute("aria-label", "The performers. Drag to turn the view; the arrow keys turn it as well.");
     place.prepend(this.canvas);
     new ResizeObserver(() => this._fit()).observe(place);
+    watchPixelRatio(() => this._fit());
     this.canvas.addEventListener("webglcontextrestored", changed);
   }
 

@@ -1,3 +1,5 @@
+import { watchPixelRatio } from "../page/pixelRatio";
+
 /** Room at the left of the time line and the plot, in CSS pixels: both have the same scale. */
 export const Gutter = 56;
 export const RightMargin = 14;
@@ -17,10 +19,12 @@ export class LayeredCanvas {
     this.element = element;
     this.base = this._add();
     this.top = this._add();
-    new ResizeObserver(() => {
+    const fit = (): void => {
       if (this._resize())
         redraw();
-    }).observe(element);
+    };
+    new ResizeObserver(fit).observe(element);
+    watchPixelRatio(fit);
   }
 
   /** Width of the axis of time. */
