@@ -24,6 +24,10 @@ export class FakeElement extends EventTarget {
     return inside.flatMap(child => [...child.name === name ? [child] : [], ...child.all(name)]);
   }
 
+  get options(): FakeElement[] {
+    return this.all("option");
+  }
+
   setAttribute(name: string, value: string): void {
     this.attributes.set(name, value);
   }
@@ -47,7 +51,14 @@ export class FakeElement extends EventTarget {
   }
 }
 
+class FakeOption extends FakeElement {
+  constructor() {
+    super("option");
+  }
+}
+
 Object.assign(globalThis, {
+  Option: FakeOption,
   document: {
     createElement: (name: string) => new FakeElement(name),
     createElementNS: (_: string, name: string) => new FakeElement(name),

@@ -14,14 +14,15 @@ export function createCharacters(page: Page, takes: Takes): Characters {
     choose: () => page.drops.choose(CharacterChoices),
   });
   section.show([], []);
+  let last: Promise<unknown> = Promise.resolve();
   page.drops.add({
     what: "characters (VRM, GLB, glTF)",
     endings: CharacterChoices,
     accepts: files => findCharacters(files).length > 0,
-    take: async files => {
-      // One after the other, so that each finds a performer of its own.
+    take: files => {
+      // One after the other, also those of several drops, so that each finds a performer and a place of its own.
       for (const found of findCharacters(files))
-        await page.notices.attempt(() => cast.add(found));
+        last = last.then(() => page.notices.attempt(() => cast.add(found)));
     },
   });
   return {
