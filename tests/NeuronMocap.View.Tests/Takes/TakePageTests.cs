@@ -178,6 +178,37 @@ public sealed class TakePageTests(SharedBrowser browser)
     }
 
     [Fact]
+    public async Task Of_two_takes_the_one_that_was_chosen_last_is_shown()
+    {
+        await using RunningView view = await RunningView.StartAsync("demo");
+        await using TestPage page = await TestPage.OpenAsync(browser, view.Link);
+        await page.UntilMovingAsync();
+        byte[] walk = await File.ReadAllBytesAsync(Walk, TestContext.Current.CancellationToken);
+        Func<Task> answer = await HoldAsync(page, "/api/takes/", () => page.DropAsync("first.bvh", walk));
+        await page.DropAsync("second.bvh", walk);
+        await UntilShownAsync(page);
+        string second = await TakeAsync(page);
+        await page.Page.RunAndWaitForResponseAsync(
+            answer, response => response.Url.Contains("/api/takes/", StringComparison.Ordinal) && !response.Url.Contains(second, StringComparison.Ordinal));
+        await page.EvaluateAsync("() => new Promise(requestAnimationFrame)");
+        Assert.Equal(second, await TakeAsync(page));
+        page.AssertClean();
+    }
+
+    [Fact]
+    public async Task After_a_click_on_a_button_the_space_bar_plays_the_take()
+    {
+        await using RunningView view = await RunningView.StartAsync(Walk);
+        await using TestPage page = await TestPage.OpenAsync(browser, view.Link, 640, 480);
+        await UntilShownAsync(page);
+        await page.Page.Keyboard.PressAsync(".");
+        await page.Page.GetByRole(AriaRole.Button, new PageGetByRoleOptions { Name = "Start of the part", Exact = true }).ClickAsync();
+        await page.Page.Keyboard.PressAsync("Space");
+        await page.Page.Locator("[aria-label=Stop]").WaitForAsync();
+        page.AssertClean();
+    }
+
+    [Fact]
     public async Task A_name_stays_above_a_performer_who_stands_still_when_the_picture_changes_its_size()
     {
         await using RunningView view = await RunningView.StartAsync(Walk);
@@ -209,11 +240,11 @@ public sealed class TakePageTests(SharedBrowser browser)
 
     private static async Task<string> TakeAsync(TestPage page) => (await page.StateAsync()).GetProperty("take").GetString()!;
 
-    // Holds the request that an action causes. Returns what lets it go on.
+    // Holds the first request that an action causes. Returns what lets it go on.
     private static async Task<Func<Task>> HoldAsync(TestPage page, string address, Func<Task> action)
     {
         var held = new TaskCompletionSource<IRoute>(TaskCreationOptions.RunContinuationsAsynchronously);
-        await page.Page.RouteAsync(url => url.EndsWith(address, StringComparison.Ordinal), held.SetResult);
+        await page.Page.RouteAsync(url => url.Contains(address, StringComparison.Ordinal), held.SetResult, new PageRouteOptions { Times = 1 });
         await action();
         IRoute request = await held.Task;
         return () => request.ContinueAsync();
