@@ -4,7 +4,7 @@ namespace NeuronMocap.Tests.Reader;
 
 public sealed class StartTimeoutTests
 {
-    private static readonly TimeSpan Short = TimeSpan.FromSeconds(5);
+    private static readonly TimeSpan Short = TimeSpan.FromSeconds(3); // less than the time-out of a connection
 
     [Fact]
     public async Task A_refusal_ends_the_wait_with_its_reason_and_the_reader_continues()
@@ -19,7 +19,7 @@ public sealed class StartTimeoutTests
 
         Assert.Equal(ConnectionReason.Refused, exception.Reason);
         Assert.Equal(ConnectionReason.Refused, exception.LastStatus?.Reason);
-        Assert.Contains("no connection within 5 s", exception.Message, StringComparison.Ordinal);
+        Assert.Contains("no connection within 3 s", exception.Message, StringComparison.Ordinal);
         Assert.Contains("refused the connection", exception.Message, StringComparison.Ordinal);
         Assert.Contains("check that the port is the same", exception.Message, StringComparison.Ordinal);
         Assert.NotEqual(ConnectionState.Stopped, reader.Status.State);
