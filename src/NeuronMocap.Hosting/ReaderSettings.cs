@@ -60,8 +60,9 @@ internal static class ReaderSettings
         bool hasList = section[AllowedSenders] is { } list && !IsEmptyList(list);
         foreach ((string key, string? text) in section.AsEnumerable(makePathsRelative: true))
         {
-            if (text is not null && IsKey(WithoutIndex(key), AllowedSenders))
-                senders.Add(text);
+            // Before .NET 10, an empty array in a file is a key without a text. So is the key above the items of an array.
+            if (IsKey(WithoutIndex(key), AllowedSenders))
+                senders.Add(text ?? string.Empty);
 
             if (text is null || (text.Length == 0 && Optional.Contains(key)) || key.Length == 0 || (hasList && IsArrayItem(key)))
                 continue;

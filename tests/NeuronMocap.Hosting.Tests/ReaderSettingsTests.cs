@@ -60,6 +60,7 @@ public sealed class ReaderSettingsTests
     [InlineData("Transport", "1", "Transport is '1'; it must be one of Tcp, Udp.")]
     [InlineData("RotationOrder", "ZZZ", "RotationOrder is 'ZZZ'; it must be one of X")]
     [InlineData("AllowedSenders", "", "AllowedSenders is empty; leave it out to allow all senders.")]
+    [InlineData("AllowedSenders", null, "AllowedSenders is empty; leave it out to allow all senders.")]
     [InlineData("AllowedSenders", " , ", "AllowedSenders is empty; leave it out to allow all senders.")]
     [InlineData("allowedSenders:0", "", "AllowedSenders is empty; leave it out to allow all senders.")]
     [InlineData("LocalAddress", "studio", "LocalAddress is 'studio'; it must be an IP address.")]
@@ -67,7 +68,7 @@ public sealed class ReaderSettingsTests
     [InlineData("SharePort", "yes", "SharePort is 'yes'; it must be true or false.")]
     [InlineData("ConnectTimeout", "soon", "ConnectTimeout is 'soon'; it must be a time")]
     [InlineData("SilenceTimeout", "1e400", "SilenceTimeout is '1e400'; it must be a time")]
-    public void An_invalid_setting_is_named(string key, string text, string expected)
+    public void An_invalid_setting_is_named(string key, string? text, string expected)
     {
         OptionsValidationException exception = Assert.Throws<OptionsValidationException>(() => Read((key, text)));
         Assert.StartsWith(expected, Assert.Single(exception.Failures), StringComparison.Ordinal);
@@ -114,10 +115,10 @@ public sealed class ReaderSettingsTests
         Read(("AllowedSenders:0", "192.168.1.20"), ("allowedSenders", list), ("AllowedSenders:1", "192.168.1.21"))
             .AllowedSenders.OrderBy(static address => address.ToString()));
 
-    private static NeuronReaderOptions Read(params (string Key, string Value)[] settings)
+    private static NeuronReaderOptions Read(params (string Key, string? Value)[] settings)
     {
         IConfiguration configuration = new ConfigurationBuilder()
-            .AddInMemoryCollection(settings.Select(setting => KeyValuePair.Create($"NeuronReader:{setting.Key}", (string?)setting.Value)))
+            .AddInMemoryCollection(settings.Select(setting => KeyValuePair.Create($"NeuronReader:{setting.Key}", setting.Value)))
             .Build();
         var options = new NeuronReaderOptions();
         ReaderSettings.Apply(configuration.GetSection("NeuronReader"), string.Empty, folder: string.Empty, options);

@@ -87,6 +87,31 @@ public sealed class StreamReplacementTests(SharedBroker shared)
         Assert.Null(_state.GetStatistics().LastOffset);
     }
 
+    [Fact]
+    public void A_replaced_stream_begins_no_earlier_than_the_application_chose()
+    {
+        DateTimeOffset chosen = DateTimeOffset.UtcNow.AddHours(-1);
+        var state = new SourceState(new RabbitMqSourceOptions { Stage = "stage", Stream = "takes", From = RabbitMqStreamStart.AtTime(chosen) });
+        object first = state.Resume();
+        Assert.False(state.Take(Key, Headers(5, 6, captured: 1_000_000), TestPackets.Motion(6)));
+        state.Resume();
+
+        Assert.True(state.IsStreamOver());
+        Assert.Equal(first, state.Resume());
+    }
+
+    // Programs of others may publish packets without a time.
+    [Fact]
+    public void A_replaced_stream_begins_after_the_last_frame_that_has_a_time()
+    {
+        Take(offset: 5, number: 6, captured: 3_600_000_000);
+        Take(offset: 6, number: 7, captured: null);
+        _state.Resume();
+
+        Assert.True(_state.IsStreamOver());
+        Assert.Equal(new AmqpTimestamp(3600 - 300), _state.Resume());
+    }
+
     private static Dictionary<string, object?> Headers(long offset, long number, long? captured = 1_000_000) => new(StringComparer.Ordinal)
     {
         [MessageHeaders.StreamOffset] = offset,

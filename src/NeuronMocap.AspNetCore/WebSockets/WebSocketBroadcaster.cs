@@ -45,7 +45,7 @@ public sealed class WebSocketBroadcaster : IAsyncDisposable
     private bool _hasEnded;
 
     /// <summary>Creates a broadcaster, which takes the reader's frames from now on.</summary>
-    /// <param name="reader">The reader. Its owner starts it and disposes it. When it has stopped, also before, the clients are disconnected.</param>
+    /// <param name="reader">The reader. Its owner starts it and disposes it. When it stops, or if it has already stopped, the clients are disconnected.</param>
     /// <param name="options">The options, which are copied; null for the defaults.</param>
     /// <exception cref="ArgumentException">An option is out of range; the message names it.</exception>
     public WebSocketBroadcaster(NeuronReader reader, WebSocketBroadcasterOptions? options = null)

@@ -55,7 +55,12 @@ internal sealed class CommandSocket : VendorSocket
             using var cancelSource = new CancellationTokenSource();
             Task answered = call(_client, cancelSource.Token);
             if (Task.WaitAny([answered], CallTimeout) < 0)
+            {
+                if (_client.IsConnecting)
+                    SetOver();
+
                 cancelSource.Cancel();
+            }
 
             answered.GetAwaiter().GetResult();
             SetOpen();

@@ -22,6 +22,7 @@ internal sealed class SourceState(RabbitMqSourceOptions options)
     private long _invalid;
     private long _skipped;
     private StreamPlace? _last;
+    private long? _lastCaptured;
     private bool _isResuming;
     private int _connections;
 
@@ -83,6 +84,7 @@ internal sealed class SourceState(RabbitMqSourceOptions options)
                     return false;
 
                 _last = place;
+                _lastCaptured = place.Captured ?? _lastCaptured;
             }
 
             if (_isStream && (!RabbitMqRoutingKey.Matches(_pattern, key) || IsTooEarly(headers)))
@@ -125,11 +127,14 @@ internal sealed class SourceState(RabbitMqSourceOptions options)
         }
     }
 
-    // Begins in the new stream with what was captured after the last message. All clocks but the source's own may be wrong.
+    // Begins in the new stream with what was captured after the last message, and not before the time that the application chose. All clocks but the source's own may be wrong.
     private void Restart()
     {
         long now = RabbitMqStreamStart.AtTime(DateTimeOffset.UtcNow).EarliestCapture!.Value;
-        _start = _last?.Captured is { } captured ? RabbitMqStreamStart.AtCapture(Math.Clamp(captured, 0, now)) : RabbitMqStreamStart.First;
+        long? chosen = options.From.EarliestCapture;
+        _start = (_lastCaptured ?? chosen) is { } captured
+            ? RabbitMqStreamStart.AtCapture(Math.Max(Math.Clamp(captured, 0, now), chosen ?? 0))
+            : RabbitMqStreamStart.First;
         _earliest = _start.EarliestCapture;
         (_last, _isResuming) = (null, false);
     }

@@ -82,6 +82,16 @@ public sealed class NeuronCommandClient : IDisposable, IAsyncDisposable
         }
     }
 
+    // Whether a command waits for a connection.
+    internal bool IsConnecting
+    {
+        get
+        {
+            lock (_lock)
+                return _isWorking && _connection?.IsOpen != true;
+        }
+    }
+
     /// <summary>Connects, if there is no usable connection. This call is optional; use it to find out early whether the server is available.</summary>
     /// <param name="cancellationToken">Cancels the call.</param>
     /// <returns>A task that completes when the client is connected.</returns>

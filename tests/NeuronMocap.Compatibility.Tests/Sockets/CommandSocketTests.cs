@@ -1,3 +1,4 @@
+using NeuronMocap.Compatibility.Callbacks;
 using NeuronMocap.Compatibility.Sockets;
 using NeuronMocap.Tests.Network;
 
@@ -18,5 +19,6 @@ public sealed class CommandSocketTests
 
         Assert.True(caller.Join(Limits.Unexpected));
         Assert.False(isAnswered);
+        Assert.Equal(SocketState.OffWork, socket.State);
     }
 }

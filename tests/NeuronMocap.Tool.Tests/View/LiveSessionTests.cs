@@ -1,3 +1,4 @@
+using System.Diagnostics;
 using NeuronMocap.Server;
 using NeuronMocap.Tool.Arguments;
 using NeuronMocap.Tool.View;
@@ -39,8 +40,10 @@ public sealed class LiveSessionTests
             // Its tab is hidden. A frame on its way may still be counted, but then no more.
             await Limits.UntilAsync(() => hub.Clients == 0 && live.MotionClients == 0);
             (long, long) before, after = (-1, -1);
+            var patience = Stopwatch.StartNew();
             do
             {
+                Assert.True(patience.Elapsed < Limits.Unexpected, "The server encodes frames that nobody sees.");
                 before = after;
                 await PassFramesAsync(reader);
                 after = (live.Poses.Encoded, live.Motion.FramesTaken);

@@ -122,7 +122,7 @@ public sealed class RecordingControlTests : IDisposable
             return "t1";
         }
 
-        public TakePerformer? FindPerformer(string key) => null;
+        public Task<TakePerformer?> FindPerformerAsync(string key, CancellationToken cancellationToken) => Task.FromResult<TakePerformer?>(null);
 
         public void Map(IEndpointRouteBuilder endpoints)
         {

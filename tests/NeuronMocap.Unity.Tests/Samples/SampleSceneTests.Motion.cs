@@ -164,8 +164,10 @@ public sealed partial class SampleSceneTests
         suit.Source!.Resample = false;
         (float rawSteps, float smoothSteps) = (0, 0);
         (Quaternion Raw, Quaternion Smooth) last = Heads();
+        var patience = System.Diagnostics.Stopwatch.StartNew();
         for (int steps = 0; steps < 60;)
         {
+            Assert.True(patience.Elapsed < Limits.Unexpected, $"Only {steps} steps have a single frame.");
             double time = suit.Source.Performers[0].Time;
             _loop.RunUntil(() => suit.Source.Performers[0].Time != time);
             (Quaternion Raw, Quaternion Smooth) now = Heads();

@@ -79,7 +79,7 @@ namespace NeuronMocap.Unity
         /// <summary>Occurs when a figure's data stops or resumes; see <see cref="SpawnedFigure.IsIdle"/>. Main thread.</summary>
         public event Action<SpawnedFigure>? IdleChanged;
 
-        /// <summary>Gets or sets the source whose performers get figures. The figures of an earlier source are destroyed.</summary>
+        /// <summary>Gets or sets the source whose performers get figures. Another source replaces the figures; null keeps them.</summary>
         public MocapSource? Source
         {
             get => _source;
@@ -179,8 +179,10 @@ namespace NeuronMocap.Unity
             if (!ReferenceEquals(source, _shownSource))
                 DespawnAll();
 
+            // A handler may have set another source.
             _shownSource = source;
-            SpawnMissing(source.Performers);
+            if (_source == source)
+                SpawnMissing(source.Performers);
         }
 
         private void SpawnMissing(IReadOnlyList<Performer> performers)

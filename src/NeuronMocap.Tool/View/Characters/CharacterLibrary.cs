@@ -107,14 +107,14 @@ internal sealed class CharacterLibrary(LiveSession? live, ITakeLibrary takes) : 
         return Task.CompletedTask;
     }
 
-    private Task SendPosesAsync(HttpContext context)
+    private async Task SendPosesAsync(HttpContext context)
     {
         Character character = Find(context.GetRouteValue("character") as string).Character;
         string key = context.Request.Query["performer"].ToString();
-        TakePerformer performer = takes.FindPerformer(key) ?? throw ApiException.NotFound("No open take has this performer.");
+        TakePerformer performer = await takes.FindPerformerAsync(key, context.RequestAborted) ?? throw ApiException.NotFound("No open take has this performer.");
         long first = TakeRequest.GetNumber(context, "from", usual: 0, least: 0, most: long.MaxValue / 2);
         int count = (int)TakeRequest.GetNumber(context, "count", usual: 1, least: 1, CharacterTake.MostFrames);
-        return new CharacterTake(character, performer).SendAsync(context, first, count);
+        await new CharacterTake(character, performer).SendAsync(context, first, count);
     }
 
     private async Task ServeAsync(HttpContext context)

@@ -13,6 +13,6 @@ internal interface ITakeLibrary : IViewPart
     /// <exception cref="ApiException">The file cannot be opened. The message is one sentence without its path.</exception>
     Task<string> OpenAsync(string path, RotationOrder? order, CancellationToken cancellationToken);
 
-    /// <summary>Finds the performer with a key; null if no open take has it.</summary>
-    TakePerformer? FindPerformer(string key);
+    /// <summary>Finds the performer with a key; null if no take has it.</summary>
+    Task<TakePerformer?> FindPerformerAsync(string key, CancellationToken cancellationToken);
 }

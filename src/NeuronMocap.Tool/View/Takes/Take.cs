@@ -36,6 +36,9 @@ internal sealed class Take : IDisposable
     /// <summary>Rotation order of a stream in the file; null for the order that the file states, or YXZ.</summary>
     public RotationOrder? RotationOrder { get; init; }
 
+    /// <summary>Whether the take was closed before, so that pages know frames that its second reading has yet to reach.</summary>
+    public bool IsAgain { get; private init; }
+
     /// <summary>Cancelled when the take is closed.</summary>
     public CancellationToken Closed => _stop.Token;
 
@@ -85,7 +88,10 @@ internal sealed class Take : IDisposable
     }
 
     /// <summary>Makes the take as it was before its file was read.</summary>
-    public Take CopyUnread() => new(Id, Name, Path, Kind) { IsUpload = IsUpload, RotationOrder = RotationOrder };
+    public Take CopyUnread() => new(Id, Name, Path, Kind) { IsUpload = IsUpload, RotationOrder = RotationOrder, IsAgain = true };
+
+    /// <summary>Waits until the take has all that pages know of it.</summary>
+    public Task WaitUntilKnownAsync(CancellationToken cancellationToken) => IsAgain ? Completion.WaitAsync(cancellationToken) : Task.CompletedTask;
 
     /// <summary>Reads the file on another thread.</summary>
     public void Start(Action read) => Completion = Task.Run(read, CancellationToken.None);

@@ -25,9 +25,6 @@ internal sealed class TakeDownload(ScratchFolder scratch) : IDisposable
             throw ApiException.BadRequest($"format must be one of these: {string.Join(", ", Formats)}.");
 
         string wanted = context.Request.Query["performer"].ToString();
-        if (take.Find(wanted) is null)
-            await take.Completion.WaitAsync(context.RequestAborted); // This request may have opened the take again.
-
         TakePerformer performer = take.Find(wanted) ?? throw ApiException.NotFound("The take has no such performer.");
         long from = TakeRequest.GetTime(context, "from", usual: -1);
         long to = TakeRequest.GetTime(context, "to", usual: -1);

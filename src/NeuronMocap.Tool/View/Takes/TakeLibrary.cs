@@ -43,10 +43,10 @@ internal sealed class TakeLibrary(ScratchFolder scratch, string run, long upload
             ObjectDisposedException.ThrowIf(_isDisposed, this);
             take = new Take(string.Create(CultureInfo.InvariantCulture, $"{run}{++_number}"), name, path, kind) { IsUpload = isUpload, RotationOrder = order };
             oldest = Add(take);
+            Start(take);
         }
 
         Close(oldest);
-        Start(take);
         return take;
     }
 
@@ -70,18 +70,25 @@ internal sealed class TakeLibrary(ScratchFolder scratch, string run, long upload
                 return null;
 
             oldest = Add(take);
+            Start(take);
         }
 
         Close(oldest);
-        Start(take);
         return take;
     }
 
-    /// <summary>Finds the performer with a key; null if no open take has it.</summary>
-    public TakePerformer? FindPerformer(string key)
+    /// <summary>Finds the performer with a key, in a take that <see cref="Find"/> finds. Null if there is none.</summary>
+    public async Task<TakePerformer?> FindPerformerAsync(string key, CancellationToken cancellationToken)
     {
+        string? id;
         lock (_lock)
-            return _takes.Select(take => take.Find(key)).FirstOrDefault(static performer => performer is not null);
+            id = _takes.Select(static take => take.Id).Concat(_closed.Keys).FirstOrDefault(known => key.StartsWith(known + "-", StringComparison.Ordinal));
+
+        if (id is null || Find(id) is not { } take)
+            return null;
+
+        await take.WaitUntilKnownAsync(cancellationToken);
+        return take.Find(key);
     }
 
     /// <summary>Closes all takes.</summary>

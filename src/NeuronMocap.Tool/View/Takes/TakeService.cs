@@ -28,7 +28,7 @@ internal sealed class TakeService(ScratchFolder scratch, ControlHub hub, int upl
     public Task<string> OpenAsync(string path, RotationOrder? order, CancellationToken cancellationToken) =>
         Task.Run(() => Open(path, Path.GetFileName(path), isUpload: false, order).Id, cancellationToken);
 
-    public TakePerformer? FindPerformer(string key) => _library.FindPerformer(key);
+    public Task<TakePerformer?> FindPerformerAsync(string key, CancellationToken cancellationToken) => _library.FindPerformerAsync(key, cancellationToken);
 
     public void Map(IEndpointRouteBuilder endpoints)
     {
@@ -39,7 +39,7 @@ internal sealed class TakeService(ScratchFolder scratch, ControlHub hub, int upl
         endpoints.MapGet("/api/takes/{id}/contacts", SendContactsAsync);
         endpoints.MapGet("/api/takes/{id}/curves", SendCurveAsync);
         endpoints.MapGet("/api/takes/{id}/performers/{key}/figure.glb", SendFigureAsync);
-        endpoints.MapGet("/api/takes/{id}/download", context => _download.SendAsync(context, Find(context)));
+        endpoints.MapGet("/api/takes/{id}/download", async context => await _download.SendAsync(context, await FindKnownAsync(context)));
     }
 
     public ValueTask DisposeAsync()
@@ -83,20 +83,27 @@ internal sealed class TakeService(ScratchFolder scratch, ControlHub hub, int upl
     private Take Find(HttpContext context) =>
         _library.Find((string)context.Request.RouteValues["id"]!) ?? throw ApiException.NotFound("This take is not open any more. Drop its file on the page again.");
 
-    private TakePerformer FindPerformer(HttpContext context) => FindPerformer(context, Find(context));
+    private async Task<Take> FindKnownAsync(HttpContext context)
+    {
+        Take take = Find(context);
+        await take.WaitUntilKnownAsync(context.RequestAborted);
+        return take;
+    }
+
+    private async Task<TakePerformer> FindPerformerAsync(HttpContext context) => FindPerformer(context, await FindKnownAsync(context));
 
     private static TakePerformer FindPerformer(HttpContext context, Take take) =>
         take.Find(context.Request.Query["performer"]) ?? throw ApiException.NotFound("The take has no such performer.");
 
-    private Task SendTimesAsync(HttpContext context)
+    private async Task SendTimesAsync(HttpContext context)
     {
-        Take take = Find(context);
-        return ApiJson.WriteAsync(context, TakeTimesJson.Of(take, FindPerformer(context, take)));
+        Take take = await FindKnownAsync(context);
+        await ApiJson.WriteAsync(context, TakeTimesJson.Of(take, FindPerformer(context, take)));
     }
 
     private async Task SendPosesAsync(HttpContext context)
     {
-        TakePerformer performer = FindPerformer(context);
+        TakePerformer performer = await FindPerformerAsync(context);
         long next = TakeRequest.GetNumber(context, "from", usual: 0, least: 0, most: long.MaxValue / 2);
         long end = Math.Min(performer.Frames, next + TakeRequest.GetNumber(context, "count", usual: 1, least: 1, MostFrames));
         int size = performer.Poses.RecordSize;
@@ -131,15 +138,15 @@ internal sealed class TakeService(ScratchFolder scratch, ControlHub hub, int upl
         }
     }
 
-    private Task SendContactsAsync(HttpContext context)
+    private async Task SendContactsAsync(HttpContext context)
     {
-        var (left, right) = FindPerformer(context).GetContacts();
-        return ApiJson.WriteAsync(context, new { left = TakePerformerJson.Milliseconds(left), right = TakePerformerJson.Milliseconds(right) });
+        var (left, right) = (await FindPerformerAsync(context)).GetContacts();
+        await ApiJson.WriteAsync(context, new { left = TakePerformerJson.Milliseconds(left), right = TakePerformerJson.Milliseconds(right) });
     }
 
     private async Task SendCurveAsync(HttpContext context)
     {
-        TakePerformer performer = FindPerformer(context);
+        TakePerformer performer = await FindPerformerAsync(context);
         string name = context.Request.Query["bone"].ToString();
         if (!BoneHierarchy.TryFind(name, performer.Body.Variant, out Bone bone))
             throw ApiException.BadRequest("bone must be the name of a bone of the performer.");
@@ -164,10 +171,11 @@ internal sealed class TakeService(ScratchFolder scratch, ControlHub hub, int upl
         await ApiJson.WriteAsync(context, new { unit = TakeCurve.Units[(int)quantity], times = curve.Times, min = Known(curve.Lowest), max = Known(curve.Highest) });
     }
 
-    private Task SendFigureAsync(HttpContext context)
+    private async Task SendFigureAsync(HttpContext context)
     {
-        TakePerformer performer = Find(context).Find((string)context.Request.RouteValues["key"]!) ?? throw ApiException.NotFound("The take has no such performer.");
-        return FigureFiles.SendAsync(context, TakePerformerJson.Describe(performer));
+        Take take = await FindKnownAsync(context);
+        TakePerformer performer = take.Find((string)context.Request.RouteValues["key"]!) ?? throw ApiException.NotFound("The take has no such performer.");
+        await FigureFiles.SendAsync(context, TakePerformerJson.Describe(performer));
     }
 
     // JSON has no word for what is not a number.

@@ -23,7 +23,7 @@ public sealed class CharacterTakeTests : IDisposable
     {
         await using CharacterServer server = await StartAsync();
         (string take, string performer) = await OpenAsync(server);
-        SkeletonBody body = server.Takes.FindPerformer(performer)!.Body;
+        SkeletonBody body = (await server.Takes.FindPerformerAsync(performer, TestContext.Current.CancellationToken))!.Body;
         CharacterNode[] nodes = SampleCharacters.OfBody(body);
         uint id = await server.AddAsync(nodes);
         await server.SendAsync(HttpMethod.Put, $"api/characters/{id}", new JsonObject { ["plant"] = false });

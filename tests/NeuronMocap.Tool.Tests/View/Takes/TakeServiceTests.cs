@@ -243,6 +243,33 @@ public sealed class TakeServiceTests
         await client.GetAsync("takes/t2", HttpStatusCode.NotFound);
     }
 
+    [Theory]
+    [InlineData("times?performer=t1-0")]
+    [InlineData("poses?performer=t1-0&from=80&count=4")]
+    [InlineData("contacts?performer=t1-0")]
+    [InlineData("curves?performer=t1-0&bone=Hips&quantity=height")]
+    [InlineData("download?format=bvh&performer=t1-0&from=500&to=1000")]
+    public async Task A_page_that_shows_a_closed_take_goes_on(string wish)
+    {
+        await using TakeClient client = await TakeClient.StartAsync();
+        Files.Takes.Actor(120).Save(client.Folder["walk.bvh"]);
+        await client.OpenAsync(client.Folder["walk.bvh"]);
+        byte[] before = await GetAsync();
+        byte[] file = await File.ReadAllBytesAsync(client.Folder["walk.bvh"]);
+        for (int i = 0; i < NeuronMocap.Tool.View.Takes.TakeLibrary.MostTakes; i++)
+            await client.PostAsync("walk.bvh", file);
+
+        Assert.NotEmpty(before);
+        Assert.Equal(before, await GetAsync());
+
+        async Task<byte[]> GetAsync()
+        {
+            using HttpResponseMessage answer = await client.GetFileAsync($"takes/t1/{wish}");
+            Assert.Equal(HttpStatusCode.OK, answer.StatusCode);
+            return await answer.Content.ReadAsByteArrayAsync();
+        }
+    }
+
     [Fact]
     public async Task A_take_of_an_earlier_run_of_the_program_is_gone_although_another_take_is_open()
     {
