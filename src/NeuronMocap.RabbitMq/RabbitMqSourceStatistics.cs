@@ -16,7 +16,7 @@ public sealed record RabbitMqSourceStatistics
     public long Lost { get; init; }
 
     /// <summary>
-    /// Frames that arrived a second time and were left out: a publisher sends unconfirmed frames again after a failure, and a source receives some frames
+    /// Frames that arrived a second time and were left out. A publisher sends unconfirmed frames again after a failure. A source receives some frames
     /// again if the broker has lost the end of the stream.
     /// </summary>
     public long Duplicates { get; init; }

@@ -127,7 +127,8 @@ internal sealed class SourceState(RabbitMqSourceOptions options)
         }
     }
 
-    // Begins in the new stream with what was captured after the last message, and not before the time that the application chose. All clocks but the source's own may be wrong.
+    // Begins in the new stream with what was captured after the last message, and not before the time that the application chose. All clocks but the
+    // source's own may be wrong.
     private void Restart()
     {
         long now = RabbitMqStreamStart.AtTime(DateTimeOffset.UtcNow).EarliestCapture!.Value;

@@ -24,7 +24,8 @@ internal abstract class ClientTransport : IDisposable
     /// <summary>Hands over as many bytes as there is room for. Only after <see cref="TryStopWaiting"/>, and not during <see cref="TrySend"/>.</summary>
     /// <returns>Success, or WouldBlock if there is no room, or another error if the connection has ended.</returns>
     /// <exception cref="ObjectDisposedException">The connection was ended on this side.</exception>
-    public virtual SocketError TrySendNow(byte[] buffer, int offset, int count, out int sent) => throw new NotSupportedException();
+    public virtual SocketError TrySendNow(byte[] buffer, int offset, int count, out int sent) =>
+        throw new NotSupportedException("Every send of this transport may wait: TryStopWaiting returns false.");
 
     /// <summary>Waits until there is room. Only after <see cref="TryStopWaiting"/>.</summary>
     /// <param name="milliseconds">The longest wait.</param>
