@@ -151,9 +151,7 @@ public sealed class TakePageTests(SharedBrowser browser)
         await page.DropAsync("walk.nmrec", await File.ReadAllBytesAsync(path, TestContext.Current.CancellationToken));
         await UntilShownAsync(page);
         await AssertJointsAsync(page, RecordingSource.Load(path), 0);
-
-        // The browser itself reports the refused request.
-        page.AssertClean(static fault => fault.Contains("Failed to load resource", StringComparison.Ordinal) && fault.Contains(" 400 ", StringComparison.Ordinal));
+        page.AssertClean(IsRefusal);
     }
 
     [Fact]
@@ -175,6 +173,21 @@ public sealed class TakePageTests(SharedBrowser browser)
         await page.UntilAsync("second => window.neuronMocap.state().take !== second", second);
         await UntilShownAsync(page);
         page.AssertClean();
+    }
+
+    [Fact]
+    public async Task A_file_that_cannot_be_opened_does_not_replace_the_take_before_it()
+    {
+        await using RunningView view = await RunningView.StartAsync("demo");
+        await using TestPage page = await TestPage.OpenAsync(browser, view.Link);
+        await page.UntilMovingAsync();
+        byte[] walk = await File.ReadAllBytesAsync(Walk, TestContext.Current.CancellationToken);
+        Func<Task> endUpload = await HoldAsync(page, "/api/takes?name=first.bvh", () => page.DropAsync("first.bvh", walk));
+        await page.DropAsync("damaged.bvh", [1, 2, 3]);
+        await page.UntilAsync("() => document.querySelector('.notice.problem')?.textContent.includes('damaged.bvh')");
+        await endUpload();
+        await UntilShownAsync(page);
+        page.AssertClean(IsRefusal);
     }
 
     [Fact]
@@ -239,6 +252,10 @@ public sealed class TakePageTests(SharedBrowser browser)
     private static async Task<string> KeyAsync(TestPage page) => (await page.EvaluateAsync("() => window.neuronMocap.state().performers[0].key")).GetString()!;
 
     private static async Task<string> TakeAsync(TestPage page) => (await page.StateAsync()).GetProperty("take").GetString()!;
+
+    // The browser itself reports a refused request.
+    private static bool IsRefusal(string fault) =>
+        fault.Contains("Failed to load resource", StringComparison.Ordinal) && fault.Contains(" 400 ", StringComparison.Ordinal);
 
     // Holds the first request that an action causes. Returns what lets it go on.
     private static async Task<Func<Task>> HoldAsync(TestPage page, string address, Func<Task> action)

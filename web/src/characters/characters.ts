@@ -1,4 +1,5 @@
 import type { Characters, Page, Takes } from "../page/page";
+import { pathOf } from "../page/folders";
 import { Cast } from "./cast";
 import { CharacterChoices, findCharacters } from "./files";
 import { CharacterSection } from "./section";
@@ -21,7 +22,7 @@ export function createCharacters(page: Page, takes: Takes): Characters {
     accepts: files => findCharacters(files).length > 0,
     take: files => {
       // One after the other, also those of several drops, so that each finds a performer and a place of its own.
-      for (const found of findCharacters(files))
+      for (const found of findCharacters(files, pathOf))
         last = last.then(() => page.notices.attempt(() => cast.add(found)));
     },
   });

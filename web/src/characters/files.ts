@@ -1,3 +1,5 @@
+import { partName, Parts, type PathOf } from "./parts";
+
 /** Endings of the files that show a character. */
 export const CharacterEndings: readonly string[] = [".vrm", ".glb", ".gltf"];
 
@@ -14,28 +16,14 @@ const Unsupported: Readonly<Record<string, string>> = {
 
 export interface CharacterFiles<T> {
   readonly main: T;
-  /** The other files by their names in lower case: buffers and pictures of a .gltf. */
-  readonly parts: ReadonlyMap<string, T>;
+  readonly parts: Parts<T>;
 }
 
 /** Finds the characters among files that were dropped together. */
-export function findCharacters<T extends { readonly name: string }>(files: readonly T[]): CharacterFiles<T>[] {
+export function findCharacters<T extends { readonly name: string }>(files: readonly T[], pathOf: PathOf<T> = file => file.name): CharacterFiles<T>[] {
   const isMain = (file: T): boolean => CharacterEndings.some(ending => file.name.toLowerCase().endsWith(ending));
-  const parts = new Map(files.filter(file => !isMain(file)).map(file => [file.name.toLowerCase(), file]));
-  return files.filter(isMain).map(main => ({ main, parts }));
-}
-
-/** The name of the file that an address in a .gltf refers to, in lower case and without folders. */
-export function partName(address: string): string {
-  const path = address.split(/[?#]/)[0];
-  let name = path.slice(Math.max(path.lastIndexOf("/"), path.lastIndexOf("\\")) + 1);
-  try {
-    name = decodeURIComponent(name);
-  } catch {
-    // A name with a plain percent sign.
-  }
-
-  return name.toLowerCase();
+  const others = files.filter(file => !isMain(file));
+  return files.filter(isMain).map(main => ({ main, parts: new Parts(main, others, pathOf) }));
 }
 
 interface GltfJson {
@@ -46,7 +34,7 @@ interface GltfJson {
 }
 
 /** Says in a sentence why a character cannot be shown, or null. */
-export function findObstacle(name: string, json: GltfJson, parts: ReadonlySet<string> | ReadonlyMap<string, unknown>): string | null {
+export function findObstacle(name: string, json: GltfJson, parts: Pick<Parts<unknown>, "find">): string | null {
   // The loader of three.js refuses Draco also where a file could do without.
   const used = json.extensionsUsed?.filter(each => each === "KHR_draco_mesh_compression") ?? [];
   const reasons = [...new Set([...used, ...json.extensionsRequired ?? []].map(each => Unsupported[each]).filter(each => each !== undefined))];
@@ -56,8 +44,8 @@ export function findObstacle(name: string, json: GltfJson, parts: ReadonlySet<st
   const missing = [...json.buffers ?? [], ...json.images ?? []]
     .map(each => each.uri)
     .filter(uri => uri !== undefined && !uri.startsWith("data:"))
-    .map(uri => partName(uri!))
-    .filter(part => !parts.has(part));
+    .filter(uri => !parts.find(uri!))
+    .map(uri => partName(uri!));
   return missing.length > 0 ? `${name} needs ${list(missing)}. Drop all of its files together.` : null;
 }
 

@@ -1,7 +1,7 @@
 import { type VRM, VRMLoaderPlugin, VRMUtils } from "@pixiv/three-vrm";
 import { LoadingManager, Mesh, type Object3D, SkinnedMesh } from "three";
 import { GLTFLoader } from "three/addons/loaders/GLTFLoader.js";
-import { type CharacterFiles, findObstacle, partName, readJson } from "./files";
+import { type CharacterFiles, findObstacle, readJson } from "./files";
 
 const LargestFile = 1024 * 1024 * 1024;
 
@@ -31,7 +31,7 @@ export async function loadCharacter(files: CharacterFiles<File>): Promise<Loaded
     if (/^(data|blob):/i.test(address))
       return address;
 
-    const part = parts.get(partName(address));
+    const part = parts.find(address);
     if (!part)
       return "data:,";
     opened.push(URL.createObjectURL(part));

@@ -50,6 +50,8 @@ export class TakePlayer {
       const shown = this._performers[i] ??= {
         track: new Track(performer, async (from, count) => {
           await this._page.connection.opened();
+          if (this._isDisposed)
+            throw new Error("The take has been left.");
           return this._page.api.bytes(`${this._base}/poses?${query}&from=${from}&count=${count}`);
         }),
         contacts: null,

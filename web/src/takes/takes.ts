@@ -151,13 +151,22 @@ class TakeScreen implements Takes {
     const progress = notices.progress(`Opening ${file.name}`, () => cancel.abort());
     await notices.attempt(async () => {
       const address = `takes?name=${encodeURIComponent(file.name)}`;
-      const { id } = await api.upload<{ id: string }>(address, file, part => progress.show(part), cancel.signal);
+      const { id } = await api.upload<{ id: string }>(address, file, part => progress.show(part), cancel.signal).catch(error => {
+        this._takeBack(wish);
+        throw error;
+      });
       if (wish === this._wishes)
         await this.open(id);
       else
         notices.offer(`${file.name} is ready.`, "Show", () => void notices.attempt(() => this.open(id)));
     });
     progress.end();
+  }
+
+  // A file that cannot be opened does not replace the one before it.
+  private _takeBack(wish: number): void {
+    if (wish === this._wishes)
+      this._wishes--;
   }
 
   // A program that was started again has none of the takes that were open, and may show a file.

@@ -1,21 +1,33 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { findCharacters, findObstacle, partName, readJson } from "../../src/characters/files";
+import { findCharacters, findObstacle, readJson } from "../../src/characters/files";
+import { partName, Parts } from "../../src/characters/parts";
 import { makeSample, toGlb } from "./sample";
 
 const named = (...names: string[]) => names.map(name => ({ name }));
+const partsOf = (...names: string[]) => new Parts({ name: "x" }, named(...names), file => file.name);
 const encode = (text: string) => new TextEncoder().encode(text).buffer as ArrayBuffer;
 
 test("a character is found among the files that were dropped with it", () => {
   assert.deepEqual(findCharacters(named("walk.bvh")), []);
   const [found, ...others] = findCharacters(named("Skin.PNG", "Hero.GLTF", "hero.bin"));
   assert.equal(found.main.name, "Hero.GLTF");
-  assert.deepEqual([...found.parts.keys()], ["skin.png", "hero.bin"]);
+  assert.deepEqual(["skin.png", "textures/hero.bin", "hair.png"].map(address => found.parts.find(address)?.name), ["Skin.PNG", "hero.bin", undefined]);
   assert.deepEqual(others, []);
 });
 
 test("several characters can be dropped together", () => {
   assert.deepEqual(findCharacters(named("a.vrm", "walk.bvh", "b.glb")).map(each => each.main.name), ["a.vrm", "b.glb"]);
+});
+
+test("of parts with the same name, each character gets the one in its own folders", () => {
+  const paths = ["hero/a.gltf", "hero/hair/colour.png", "hero/skin/colour.png", "villain/b.gltf", "villain/skin/colour.png", "villain/scene.bin", "hero/scene.bin"];
+  const files = paths.map(path => ({ path, name: path.slice(path.lastIndexOf("/") + 1) }));
+  const [hero, villain] = findCharacters(files, file => file.path);
+  const found = (who: typeof hero, ...addresses: string[]) => addresses.map(address => who.parts.find(address)?.path);
+  assert.deepEqual(found(hero, "scene.bin", "./skin/colour.png", "Hair\\Colour.png"), ["hero/scene.bin", "hero/skin/colour.png", "hero/hair/colour.png"]);
+  assert.deepEqual(found(villain, "scene.bin", "skin/colour.png", "../hero/hair/colour.png"), ["villain/scene.bin", "villain/skin/colour.png", "hero/hair/colour.png"]);
+  assert.deepEqual(found(hero, "C:/work/hero/hair/colour.png"), ["hero/hair/colour.png"]);
 });
 
 test("addresses in a file lead to the dropped files", () => {
@@ -26,16 +38,16 @@ test("addresses in a file lead to the dropped files", () => {
 
 test("what a file needs and is not there is said in one sentence", () => {
   const json = { buffers: [{ uri: "a.bin" }, { uri: "data:xyz" }, {}], images: ["b", "c", "d", "e"].map(name => ({ uri: `${name}.png` })) };
-  assert.equal(findObstacle("x.gltf", json, new Set()), "x.gltf needs a.bin, b.png, c.png and 2 more files. Drop all of its files together.");
-  assert.equal(findObstacle("x.gltf", json, new Set(["a.bin", "b.png", "c.png", "d.png", "e.png"])), null);
+  assert.equal(findObstacle("x.gltf", json, partsOf()), "x.gltf needs a.bin, b.png, c.png and 2 more files. Drop all of its files together.");
+  assert.equal(findObstacle("x.gltf", json, partsOf("a.bin", "b.png", "c.png", "d.png", "e.png")), null);
 });
 
 test("compressed files are refused in one sentence", () => {
   const json = { extensionsRequired: ["KHR_draco_mesh_compression", "KHR_texture_basisu", "KHR_materials_unlit"] };
-  assert.equal(findObstacle("x.glb", json, new Set()), "x.glb is compressed with Draco and textured with KTX2, which this page cannot read. Export it without.");
-  assert.match(findObstacle("x.glb", { extensionsUsed: ["KHR_draco_mesh_compression"] }, new Set())!, /Draco/);
-  assert.equal(findObstacle("x.glb", { extensionsUsed: ["EXT_meshopt_compression"] }, new Set()), null);
-  assert.match(findObstacle("x.glb", { extensionsRequired: ["EXT_meshopt_compression"] }, new Set())!, /meshopt/);
+  assert.equal(findObstacle("x.glb", json, partsOf()), "x.glb is compressed with Draco and textured with KTX2, which this page cannot read. Export it without.");
+  assert.match(findObstacle("x.glb", { extensionsUsed: ["KHR_draco_mesh_compression"] }, partsOf())!, /Draco/);
+  assert.equal(findObstacle("x.glb", { extensionsUsed: ["EXT_meshopt_compression"] }, partsOf()), null);
+  assert.match(findObstacle("x.glb", { extensionsRequired: ["EXT_meshopt_compression"] }, partsOf())!, /meshopt/);
 });
 
 test("the JSON of both kinds of files is read", () => {

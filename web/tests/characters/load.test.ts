@@ -3,14 +3,17 @@ import { test } from "node:test";
 import { type Mesh, type Object3D, type SkinnedMesh, Vector3 } from "three";
 import { Character } from "../../src/characters/character";
 import { loadCharacter, type LoadedCharacter } from "../../src/characters/load";
+import { Parts } from "../../src/characters/parts";
 import { describeSkeleton, type Skeleton } from "../../src/characters/skeleton";
 import { makeSample, mixamoName, type SampleOptions, toGlb } from "./sample";
 
 globalThis.self ??= globalThis as never;
 
+const noParts = new Parts<File>(new File([], "x.gltf"), [], file => file.name);
+
 async function load(options: SampleOptions): Promise<{ loaded: LoadedCharacter; skeleton: Skeleton }> {
   const main = new File([toGlb(makeSample(options))], "boxes.vrm");
-  const loaded = await loadCharacter({ main, parts: new Map() });
+  const loaded = await loadCharacter({ main, parts: noParts });
   return { loaded, skeleton: describeSkeleton(loaded) };
 }
 
@@ -77,7 +80,7 @@ test("a vertex that follows a joint outside its skin is a damaged file, and no p
   const skins = sample.json["skins"] as { joints: number[]; inverseBindMatrices?: number }[];
   skins[0].joints.length = 3;
   const main = new File([toGlb(sample)], "broken.glb");
-  await assert.rejects(loadCharacter({ main, parts: new Map() }), /^Error: broken\.glb is damaged: a part of it follows a joint that its skin does not have\.$/);
+  await assert.rejects(loadCharacter({ main, parts: noParts }), /^Error: broken\.glb is damaged: a part of it follows a joint that its skin does not have\.$/);
 });
 
 test("a joint without weight may be any number, as some programs write it", async () => {
@@ -92,7 +95,7 @@ test("a joint without weight may be any number, as some programs write it", asyn
   for (let vertex = 0; vertex < count; vertex++)
     joints[vertex * 4 + 3] = 0xffff;
   const main = new File([toGlb(sample)], "unused.glb");
-  assert.equal((await loadCharacter({ main, parts: new Map() })).name, "unused.glb");
+  assert.equal((await loadCharacter({ main, parts: noParts })).name, "unused.glb");
 });
 
 test("nodes in the pose of an animation return to the pose of the skin", async () => {

@@ -1,6 +1,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { Drops } from "../../src/page/drops";
+import { pathOf } from "../../src/page/folders";
 import { FakeElement } from "../elements";
 
 interface Entry {
@@ -8,8 +9,8 @@ interface Entry {
   readonly name: string;
 }
 
-function file(name: string): Entry {
-  return { isDirectory: false, name, file: (take: (file: File) => void) => take(new File(["1"], name)) } as Entry;
+function file(name: string, fullPath = `/${name}`): Entry {
+  return { isDirectory: false, name, fullPath, file: (take: (file: File) => void) => take(new File(["1"], name)) } as Entry;
 }
 
 // As in a browser, a reader gives one part after the other.
@@ -21,20 +22,28 @@ function folder(name: string, ...inside: Entry[]): Entry {
 async function drop(...entries: Entry[]) {
   const target = new FakeElement("body");
   const taken: string[] = [];
+  const paths: string[] = [];
   const said: string[] = [];
   const drops = new Drops(target as unknown as HTMLElement, text => said.push(text));
-  drops.add({ what: "anything", endings: [], accepts: () => true, take: files => void taken.push(...files.map(each => each.name)) });
+  drops.add({ what: "anything", endings: [], accepts: () => true, take: files => void (taken.push(...files.map(each => each.name)), paths.push(...files.map(pathOf))) });
   const items = entries.map(entry => ({ webkitGetAsEntry: () => entry }));
   target.dispatchEvent(Object.assign(new Event("drop"), { dataTransfer: { items, files: entries.map(({ name }) => new File([], name)) } }));
   await new Promise(setImmediate);
-  return { taken, said };
+  return { taken, paths, said };
 }
 
 test("a folder is dropped with all files in it", async () => {
   const hero = folder("hero", file("hero.gltf"), file("hero.bin"), folder("pictures", file("skin.png"), file("hair.png"), file("eyes.png")));
-  assert.deepEqual(await drop(file("walk.bvh"), hero), { taken: ["walk.bvh", "hero.gltf", "hero.bin", "skin.png", "hair.png", "eyes.png"], said: [] });
+  const { taken, said } = await drop(file("walk.bvh"), hero);
+  assert.deepEqual([taken, said], [["walk.bvh", "hero.gltf", "hero.bin", "skin.png", "hair.png", "eyes.png"], []]);
 });
 
 test("an empty folder is refused in a sentence", async () => {
-  assert.deepEqual(await drop(folder("hero")), { taken: [], said: ["The folder hero is empty."] });
+  assert.deepEqual(await drop(folder("hero")), { taken: [], paths: [], said: ["The folder hero is empty."] });
+});
+
+test("files in folders keep their paths", async () => {
+  const { paths } = await drop(folder("hero", file("a.gltf", "/hero/a.gltf"), folder("hair", file("colour.png", "/hero/hair/colour.png"))));
+  assert.deepEqual(paths, ["hero/a.gltf", "hero/hair/colour.png"]);
+  assert.deepEqual((await drop(file("walk.bvh"))).paths, ["walk.bvh"]);
 });

@@ -1,0 +1,70 @@
+/** Where files lie: folders and name, with slashes. */
+export type PathOf<T> = (file: T) => string;
+
+/** The files that were dropped with a character: buffers and pictures of a .gltf. */
+export class Parts<T> {
+  private readonly _main: string[];
+  private readonly _byName = new Map<string, { readonly file: T; readonly path: string[] }[]>();
+
+  constructor(main: T, files: readonly T[], pathOf: PathOf<T>) {
+    this._main = segmentsOf(pathOf(main));
+    for (const file of files) {
+      const path = segmentsOf(pathOf(file));
+      const name = path[path.length - 1];
+      this._byName.set(name, [...this._byName.get(name) ?? [], { file, path }]);
+    }
+  }
+
+  /** The file that an address in the .gltf refers to. Files of any folder are found by their name, because a drop of single files has no folders. */
+  find(address: string): T | undefined {
+    const wanted = resolve(this._main.slice(0, -1), addressOf(address));
+    let best: T | undefined;
+    let most = 0;
+    for (const { file, path } of this._byName.get(partName(address)) ?? []) {
+      const same = sameAtEnd(path, wanted);
+      if (same > most)
+        [best, most] = [file, same];
+    }
+
+    return best;
+  }
+}
+
+/** The name of the file that an address in a .gltf refers to, in lower case and without folders. */
+export function partName(address: string): string {
+  const path = addressOf(address);
+  return path[path.length - 1];
+}
+
+function addressOf(address: string): string[] {
+  const path = address.split(/[?#]/)[0];
+  try {
+    return segmentsOf(decodeURIComponent(path));
+  } catch {
+    // A name with a plain percent sign.
+    return segmentsOf(path);
+  }
+}
+
+function segmentsOf(path: string): string[] {
+  return path.toLowerCase().split(/[/\\]/);
+}
+
+function resolve(folder: readonly string[], address: readonly string[]): string[] {
+  const path = [...folder];
+  for (const segment of address) {
+    if (segment === "..")
+      path.pop();
+    else if (segment !== "." && segment !== "")
+      path.push(segment);
+  }
+
+  return path;
+}
+
+function sameAtEnd(one: readonly string[], other: readonly string[]): number {
+  let same = 0;
+  while (same < one.length && same < other.length && one[one.length - 1 - same] === other[other.length - 1 - same])
+    same++;
+  return same;
+}
