@@ -59,11 +59,13 @@ internal sealed class GlbOutput(
         if (starts.Avatars.Count == 0)
             throw TimeRange.NoFrames(starts.Duration);
 
+        // Avatars have the same colours in each file. Those of several senders can have equal numbers.
+        bool hasOneSender = starts.Avatars.Keys.DistinctBy(static key => key.Sender).Count() == 1;
         foreach ((int sender, int avatar) in starts.Avatars.Keys)
         {
             RecordingSource source = RecordingSource.Load(settings.Input, avatar, sender, settings.Playback, progress, cancellationToken);
             // Avatars of a server move at the same instants, although their frames arrive one after the other.
-            Add(glb, source, source.AvatarName, sender + avatar, range.FramesOf(source), first =>
+            Add(glb, source, source.AvatarName, hasOneSender ? avatar : _avatars.Count, range.FramesOf(source), first =>
                 FrameTimes.Of(Math.Max((long)Math.Round((source.GetTime(first) - starts.First).TotalSeconds * source.FrameRate), 0), source.FrameRate));
             AddStreamWarnings(source, range);
         }

@@ -42,6 +42,9 @@ internal sealed class StreamContents
     public bool HasCalculation(FileSettings settings) =>
         _frames.Keys.Any(key => key.Kind == PacketKind.Calculation && settings.Selects(key.Source, key.Avatar));
 
+    /// <summary>The sender after the name of an avatar. Most streams have one, which is not named.</summary>
+    public static string OfSender(int sender) => sender == 0 ? string.Empty : $" of sender {sender}";
+
     public void AddTo(InfoReport report, bool hasTimes)
     {
         InfoSection stream = report.Section("stream", "Stream");
@@ -116,8 +119,7 @@ internal sealed class StreamContents
     {
         Frames? frames = _frames.GetValueOrDefault((avatar.Kind, avatar.Sender, avatar.AvatarIndex));
         string kind = avatar.Kind == PacketKind.Motion ? "motion" : "calculation";
-        string sender = avatar.Sender == 0 ? string.Empty : $" of sender {avatar.Sender}";
-        string text = Quantity.Format($"{avatar.AvatarIndex} {avatar.AvatarName}{sender}: {avatar.Frames:#,0} {kind} frame{(avatar.Frames == 1 ? string.Empty : "s")}");
+        string text = Quantity.Format($"{avatar.AvatarIndex} {avatar.AvatarName}{OfSender(avatar.Sender)}: {avatar.Frames:#,0} {kind} frame{(avatar.Frames == 1 ? string.Empty : "s")}");
         if (hasTimes && frames?.FrameRate is { } rate)
             text += Quantity.Format($", {rate:0.0} Hz, at most {frames.LongestInterval.TotalMilliseconds:0} ms between two");
         if (avatar.FrequencyReduction > 1)

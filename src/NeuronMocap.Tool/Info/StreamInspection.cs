@@ -35,8 +35,9 @@ internal sealed class StreamInspection(FileSettings settings, bool isRecording, 
     {
         RecordingSource source = RecordingSource.Load(settings.Input, settings.Avatar, settings.Sender, settings.Playback, progress, cancellationToken);
         double duration = source.FrameCount!.Value / source.FrameRate;
-        InfoSection take = report.Section("take", $"Take of avatar {source.AvatarIndex}, {source.AvatarName}");
-        take.Add("avatar", string.Empty, null, source.AvatarIndex).Add("avatarName", string.Empty, null, JsonValue.Create(source.AvatarName));
+        InfoSection take = report.Section("take", $"Take of avatar {source.AvatarIndex}, {source.AvatarName}{StreamContents.OfSender(source.Sender)}");
+        take.Add("source", string.Empty, null, source.Sender).Add("avatar", string.Empty, null, source.AvatarIndex);
+        take.Add("avatarName", string.Empty, null, JsonValue.Create(source.AvatarName));
         take.Add("seconds", "duration", Quantity.Format($"{duration:0.000} s"), duration);
         take.Add("frames", "frames", Frames(source), source.FrameCount.Value);
         take.Add("receivedFrames", string.Empty, null, source.ReceivedFrames).Add("interpolatedFrames", string.Empty, null, source.InterpolatedFrames);

@@ -59,6 +59,18 @@ public sealed class SenderTests : IDisposable
     }
 
     [Fact]
+    public async Task The_figures_of_a_glb_file_have_different_colours()
+    {
+        TwoSenders.Record(_folder["other.nmrec"], firstAvatar: 1);
+        await ConvertAsync(_folder["other.nmrec"], _folder["all.glb"]);
+
+        var all = GlbFile.Parse(await File.ReadAllBytesAsync(_folder["all.glb"]));
+        string[] materials = [.. all.Json.GetProperty("materials").EnumerateArray().Select(static material => material.GetProperty("pbrMetallicRoughness").GetRawText())];
+        Assert.Equal(3, materials.Length);
+        Assert.Distinct(materials);
+    }
+
+    [Fact]
     public async Task A_table_numbers_the_second_anew()
     {
         Assert.Contains(": 120 frames, ", await ConvertAsync(_folder["take.nmrec"], _folder["all.csv"]), StringComparison.Ordinal);
@@ -95,6 +107,6 @@ public sealed class SenderTests : IDisposable
         Assert.Equal(0, info.ExitCode);
         string page = string.Join('\n', info.Output);
         Assert.Contains("0 Ben of sender 1: 60 motion frames", page, StringComparison.Ordinal);
-        Assert.Contains("Take of avatar 0, Ben", page, StringComparison.Ordinal);
+        Assert.Contains("Take of avatar 0, Ben of sender 1", page, StringComparison.Ordinal);
     }
 }

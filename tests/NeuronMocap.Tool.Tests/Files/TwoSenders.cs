@@ -5,7 +5,7 @@ using NeuronMocap.Skeleton;
 
 namespace NeuronMocap.Tool.Tests.Files;
 
-/// <summary>A recording of two computers that send over UDP. Both have an avatar 0, with the same frame numbers.</summary>
+/// <summary>A recording of two computers that send over UDP. Both have an avatar 0, unless a test says otherwise, with the same frame numbers.</summary>
 internal static class TwoSenders
 {
     public const int Frames = 60;
@@ -15,7 +15,7 @@ internal static class TwoSenders
 
     private static readonly string[] Names = ["Anna", "Ben"];
 
-    public static void Record(string path)
+    public static void Record(string path, int firstAvatar = 0)
     {
         using RecordingWriter writer = RecordingWriter.Create(path, RecordingMetadata.Empty.With(RecordingMetadata.RotationOrderKey, "YXZ"));
         writer.OpenConnection(TimeSpan.Zero, new RecordedConnection(0, TransportKind.Udp, "0.0.0.0:7012", string.Empty));
@@ -24,18 +24,18 @@ internal static class TwoSenders
 
         for (int frame = 0; frame < Frames; frame++)
         {
-            writer.WriteBytes(TimeSpan.FromSeconds(frame / 60.0), 0, Packet(0, frame, 0), sender: 0);
-            writer.WriteBytes(TimeSpan.FromSeconds((frame / 60.0) + 0.002), 0, Packet(1, frame, SecondX), sender: 1);
+            writer.WriteBytes(TimeSpan.FromSeconds(frame / 60.0), 0, Packet(0, firstAvatar, frame, 0), sender: 0);
+            writer.WriteBytes(TimeSpan.FromSeconds((frame / 60.0) + 0.002), 0, Packet(1, 0, frame, SecondX), sender: 1);
         }
     }
 
-    private static byte[] Packet(int sender, int frame, float x)
+    private static byte[] Packet(int sender, int avatar, int frame, float x)
     {
         var layout = new ChannelLayout(hasDisplacement: true, hasReference: false);
         float[] values = new float[layout.ValueCount];
         new SyntheticSource(60).WriteValues(frame, layout, RotationOrder.YXZ, values);
         values[0] = x;
-        var header = new MotionHeader { AvatarName = new AvatarName(Names[sender]), FrameIndex = (uint)frame, HasDisplacement = true, ValueCount = values.Length };
+        var header = new MotionHeader { AvatarName = new AvatarName(Names[sender]), AvatarIndex = avatar, FrameIndex = (uint)frame, HasDisplacement = true, ValueCount = values.Length };
         byte[] packet = new byte[header.PacketSize];
         PacketEncoder.WriteMotion(packet, header, values);
         return packet;

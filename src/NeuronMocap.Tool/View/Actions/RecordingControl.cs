@@ -49,11 +49,7 @@ internal sealed class RecordingControl : IViewPart
     }
 
     /// <summary>Tells the pages how the recording grows. Called once a second.</summary>
-    public void Report()
-    {
-        if (Describe() is { State: RecordingMessage.Recording } message)
-            _hub.Send(message);
-    }
+    public void Report() => _hub.SendCurrent(() => Describe() is { State: RecordingMessage.Recording } message ? message : null);
 
     /// <summary>Closes the files and reports each recording on standard error. The reader has ended before.</summary>
     /// <returns>Whether all recordings are complete.</returns>

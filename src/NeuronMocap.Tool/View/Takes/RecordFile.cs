@@ -64,7 +64,7 @@ internal sealed class RecordFile : IDisposable
 
         ThrowIfFull();
         if (_room?.TryTake(_used) == false)
-            EndFull();
+            throw EndFull();
 
         try
         {
@@ -72,7 +72,7 @@ internal sealed class RecordFile : IDisposable
         }
         catch (Exception exception) when (ScratchFolder.IsOfDisk(exception))
         {
-            EndFull();
+            throw EndFull();
         }
 
         _written += _used;
@@ -115,18 +115,20 @@ internal sealed class RecordFile : IDisposable
     public void ThrowIfFull()
     {
         if (_isFull)
-            throw new IOException("The temporary folder of the program has no room for the rest of the take.");
+            throw NoRoom();
     }
 
     public void Dispose() => _file.Dispose();
 
     // What has no room stays in the buffer, which does not change any more.
-    private void EndFull()
+    private IOException EndFull()
     {
         _isFull = true;
         Volatile.Write(ref _count, (_written + _used) / RecordSize);
-        ThrowIfFull();
+        return NoRoom();
     }
+
+    private static IOException NoRoom() => new("The temporary folder of the program has no room for the rest of the take.");
 
     private static SafeFileHandle Create(string folder) => File.OpenHandle(
         Path.Combine(folder, ScratchFolder.NewName()), FileMode.CreateNew, FileAccess.ReadWrite, FileShare.Read | FileShare.Delete, FileOptions.DeleteOnClose);
