@@ -219,7 +219,7 @@ public sealed partial class NeuronReaderOptions
         if (CommandPort is null || Transport != TransportKind.Tcp)
             LocalAddress = null;
 
-        (Transport, Port, CalculationPort) = (TransportKind.Tcp, unused.Port, null);
+        (Transport, Port, Tls, CalculationPort) = (TransportKind.Tcp, unused.Port, null, null);
         (SharePort, AllowedSenders) = (false, []);
     }
 
@@ -261,7 +261,7 @@ public sealed partial class NeuronReaderOptions
             return $"CalculationPort is {CalculationPort}; it must be {lowestPort} to {IPEndPoint.MaxPort}, or null.";
         if (CalculationPort is not null && CalculationPort == CommandPort && Transport == TransportKind.Tcp)
             return $"CalculationPort and CommandPort are both {CommandPort}; calculation data and the command channel need different ports, by default 7003 and 8013.";
-        if (MaxValues is < 1 or > 1_000_000)
+        if (MaxValues is < 1 or > ProtocolConstants.LargestMaxValues)
             return $"MaxValues is {MaxValues}; it must be 1 to 1,000,000.";
         if (AllowedSenders?.Contains(null!) == true)
             return "AllowedSenders contains null; it must contain addresses only.";

@@ -7,11 +7,9 @@ namespace NeuronMocap.RabbitMq.Consuming;
 // one at a time.
 internal sealed class SourceState(RabbitMqSourceOptions options)
 {
-    // The highest limit that a reader can have. The reader applies its own.
-    private const int MaxValues = 1_000_000;
-
+    // The reader applies its own limit.
+    private readonly PacketScanner _scanner = new(ProtocolConstants.LargestMaxValues);
     private readonly object _lock = new();
-    private readonly PacketScanner _scanner = new(MaxValues);
     private readonly LossCounter _losses = new();
     private readonly string _pattern = RabbitMqRoutingKey.CreatePattern(options.Stage, options.Avatar, options.Kind);
     private readonly bool _isStream = options.Stream is not null;

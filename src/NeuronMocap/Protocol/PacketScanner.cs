@@ -24,7 +24,7 @@ public sealed class PacketScanner
     /// <exception cref="ArgumentOutOfRangeException">The limit is out of range.</exception>
     public PacketScanner(int maxValues = ProtocolConstants.DefaultMaxValues)
     {
-        if (maxValues is < 1 or > 1_000_000)
+        if (maxValues is < 1 or > ProtocolConstants.LargestMaxValues)
             throw new ArgumentOutOfRangeException(nameof(maxValues), maxValues, "The limit must be 1 to 1,000,000 values.");
 
         _maxValues = maxValues;

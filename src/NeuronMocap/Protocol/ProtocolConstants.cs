@@ -33,6 +33,9 @@ public static class ProtocolConstants
     /// </summary>
     public const int DefaultMaxValues = 10_224;
 
+    // The largest limit that options accept.
+    internal const int LargestMaxValues = 1_000_000;
+
     /// <summary>Largest payload of a command packet, in bytes: the vendor's MAX_PACKETSIZE.</summary>
     public const int MaxCommandPayload = 100_000;
 

@@ -16,6 +16,7 @@ public sealed class SourceOptionsTests
         new NeuronReaderOptions { Transport = (TransportKind)7 },
         new NeuronReaderOptions { ConnectTimeout = Timeout.InfiniteTimeSpan },
         new NeuronReaderOptions { AllowedSenders = [null!] },
+        new NeuronReaderOptions { Tls = new NeuronTlsOptions { TargetHost = " " } },
         new NeuronReaderOptions { CalculationPort = -1 },
         new NeuronReaderOptions { CalculationPort = 8013, CommandPort = 8013 },
         new NeuronReaderOptions { Port = 7001, CommandPort = 7001 },

@@ -1,3 +1,4 @@
+using NeuronMocap.Protocol;
 using NeuronMocap.Skeleton;
 
 namespace NeuronMocap.Recording;
@@ -53,7 +54,7 @@ public sealed class PlaybackOptions
             return $"RotationOrder is {order}; it must be one of the six orders, or null.";
         if (SkeletonVariant is { } variant && !Enum.IsDefined(typeof(SkeletonVariant), variant))
             return $"SkeletonVariant is {variant}; it must be Neck1, Spine3 or null.";
-        if (MaxValues is < 1 or > 1_000_000)
+        if (MaxValues is < 1 or > ProtocolConstants.LargestMaxValues)
             return $"MaxValues is {MaxValues}; it must be 1 to 1,000,000, or null.";
 
         return null;

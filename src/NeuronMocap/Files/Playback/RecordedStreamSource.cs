@@ -8,9 +8,6 @@ namespace NeuronMocap.Recording;
 // Reads the stream of a recording. A file that continues another one starts with its own first bytes, not after the time of the earlier files.
 internal sealed class RecordedStreamSource : RecordedEventSource
 {
-    // The maximum that the options of a reader allow.
-    private const int MaxValuesOfReader = 1_000_000;
-
     // Maximum number of substitutes for sender addresses that are missing from the file. A reader has 64 senders at a time.
     private const int MaxInventedAddresses = 1024;
 
@@ -38,7 +35,7 @@ internal sealed class RecordedStreamSource : RecordedEventSource
 
     public override SkeletonVariant? SkeletonVariant => _reader.Metadata.SkeletonVariant;
 
-    public override int MaxValues => Math.Min(_reader.Metadata.MaxValues ?? ProtocolConstants.DefaultMaxValues, MaxValuesOfReader);
+    public override int MaxValues => Math.Min(_reader.Metadata.MaxValues ?? ProtocolConstants.DefaultMaxValues, ProtocolConstants.LargestMaxValues);
 
     public override RecordedEvent Read()
     {
