@@ -36,7 +36,9 @@ public class CommandFaultTests
 
         await FailsAsync(client.GetRotationOrderAsync(), CommandFailure.TimedOut, "NeuronCommandOptions.Timeout");
         Assert.Equal(RotationOrder.ZXY, await RepeatAsync(client.GetRotationOrderAsync));
-        await Limits.UntilAsync(() => server.Requests == server.Connections);
+
+        // A busy machine may end a call after its connection and before its request.
+        Assert.InRange(server.Requests, 2, server.Connections);
     }
 
     [Theory]
@@ -146,8 +148,9 @@ public class CommandFaultTests
         {
             // Late: after the next request arrives, and before its answer.
             byte[] packet = CommandScript.Packet(request.Id == 1003 ? ZXY : Bytes(Sizes(request.Avatar)), request.Id);
-            await request.SendAsync([.. second ?? [], .. packet, .. isLate ? [] : packet]);
+            byte[] late = second ?? [];
             second = isLate ? packet : null;
+            await request.SendAsync([.. late, .. packet, .. isLate ? [] : packet]);
         });
         using NeuronCommandClient client = server.CreateClient();
         for (int avatar = 0; avatar < 10; avatar++)

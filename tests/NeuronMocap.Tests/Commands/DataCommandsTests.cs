@@ -272,6 +272,7 @@ public sealed class DataCommandsTests : IDisposable
     private async Task<NeuronReader> ConnectAsync(bool reconnect = false)
     {
         var reader = new NeuronReader(_server.Options(reconnect));
+        reader.DataCommands.Timeout = Limits.Unexpected;
         await reader.StartAsync(TestContext.Current.CancellationToken).Soon();
         return reader;
     }

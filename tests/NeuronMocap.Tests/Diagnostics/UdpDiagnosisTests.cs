@@ -53,7 +53,9 @@ public sealed class UdpDiagnosisTests
     {
         using var sender = new DatagramSender();
         using var other = new DatagramSender();
-        Task<StreamDiagnosis> diagnosing = RunAsync(Diagnosing.Patient);
+
+        // A busy machine may delay one of the senders.
+        Task<StreamDiagnosis> diagnosing = RunAsync(Diagnosing.Patient with { Measuring = 0.03 });
         Task<StreamDiagnosis> both = other.SendUntilAsync(diagnosing, _port, static i => [TestPackets.Motion(i)]);
         StreamDiagnosis diagnosis = await sender.SendUntilAsync(both, _port, static i => [TestPackets.Motion(i)]);
 
@@ -66,8 +68,11 @@ public sealed class UdpDiagnosisTests
     {
         using var sender = new DatagramSender();
         var options = new NeuronReaderOptions { Transport = TransportKind.Udp, Port = _port, AllowedSenders = [IPAddress.Parse("192.0.2.1")] };
+
+        // Long enough for a datagram on a busy machine.
+        DiagnosisOptions how = Diagnosing.With(Diagnosing.Silent with { Silence = 0.03 });
         StreamDiagnosis diagnosis = await sender.SendUntilAsync(
-            Diagnosing.RunAsync(options, Diagnosing.With(Diagnosing.Silent)), _port, static i => [TestPackets.Motion(i)]);
+            Diagnosing.RunAsync(options, how), _port, static i => [TestPackets.Motion(i)]);
         diagnosis.AssertFault(DiagnosisVerdict.SenderNotAllowed, "first bytes", "127.0.0.1", "AllowedSenders");
     }
 

@@ -6,7 +6,7 @@ namespace NeuronMocap.Tests.Network;
 // A host name whose look-up does not end.
 internal sealed class UnansweredName
 {
-    private readonly TaskCompletionSource _asked = new();
+    private readonly TaskCompletionSource _asked = new(TaskCreationOptions.RunContinuationsAsynchronously);
 
     public Task Asked => _asked.Task;
 
@@ -16,10 +16,10 @@ internal sealed class UnansweredName
         {
             Resolve = _ =>
             {
-                _asked.SetResult();
+                _asked.TrySetResult();
                 return new TaskCompletionSource<IPAddress[]>().Task;
             },
         };
-        return new NeuronReader(new NeuronReaderOptions(), () => new TcpLink(options));
+        return new NeuronReader(new NeuronReaderOptions { StopTimeout = Limits.Unexpected }, () => new TcpLink(options));
     }
 }

@@ -285,6 +285,7 @@ public sealed class CalculationPortTests : IDisposable
         using TestConnection motion = await _motion.AcceptAsync();
         using TestConnection calculation = await _calculation.AcceptAsync();
         await reader.DisposeAsync();
+        await reader.Completion.Soon();
         await Limits.UntilAsync(() => calculation.Socket.Poll(0, SelectMode.SelectRead));
         Assert.Equal(ConnectionState.Stopped, reader.Status.State);
         Assert.Equal(ConnectionState.Stopped, reader.CalculationStatus!.Value.State);

@@ -98,6 +98,10 @@ public sealed class ConsumerIsolationTests : IDisposable
             for (int start = 0; start < LazyStream.Value.Length; start += portion * FrameSize)
             {
                 await asked.WaitAsync(TestContext.Current.CancellationToken).Soon();
+
+                // The visitor's queue has room for the portion that was in transit when it was opened, and for this one.
+                int earlier = start / FrameSize;
+                await Limits.UntilAsync(() => reader.GetStatistics().MotionFrames >= earlier);
                 await connection.SendAsync(LazyStream.Value.AsMemory(start, portion * FrameSize));
             }
 

@@ -126,6 +126,9 @@ public sealed class EventTests
         reader.Start();
         using TestConnection connection = await server.AcceptAsync();
         await connection.SendAsync(TestPackets.Join(new byte[100], TestPackets.Motion(1)));
+
+        // The report may begin between the bytes and the frame, which a stopped reader would not deliver.
+        await reader.WaitForFramesAsync(1);
         await entered.Task.Soon();
         if (asynchronous)
             await reader.DisposeAsync();

@@ -95,9 +95,13 @@ public sealed class FormatDiscoveryTests : IDisposable
         using LatestFrames latest = reader.OpenLatest();
         reader.Start();
         using (TestConnection first = await _server.AcceptAsync())
+        {
             await SendUntilAsync(first, latest, sent => sent.Format == Told);
 
-        told = new SkeletonFormat(RotationOrder.XZY, SkeletonVariant.Neck1);
+            // The reader connects and asks again as soon as this connection is closed.
+            told = new SkeletonFormat(RotationOrder.XZY, SkeletonVariant.Neck1);
+        }
+
         using TestConnection second = await _server.AcceptAsync();
         await SendUntilAsync(second, latest, sent => sent.Format == told);
     }

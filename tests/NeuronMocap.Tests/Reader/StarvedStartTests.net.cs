@@ -15,6 +15,7 @@ public sealed partial class StarvedStartTests
             LocalAddress = IPAddress.Loopback,
             Port = 0,
             ReceiveThread = ReceiveThread.Dedicated,
+            StopTimeout = Limits.Unexpected,
         });
         using var connected = new ManualResetEventSlim();
         using var received = new CountdownEvent(3);

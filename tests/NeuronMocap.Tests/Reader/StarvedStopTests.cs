@@ -103,7 +103,7 @@ public sealed partial class StarvedStopTests : IDisposable
     {
         using TemporaryFile file = Playback.Recordings.OfTcp((0, TestPackets.Motion(1)), (3_600_000, TestPackets.Motion(2)));
         using RecordingPlayer player = RecordingPlayer.Open(file.Path);
-        var reader = new NeuronReader(player);
+        var reader = new NeuronReader(player, new NeuronReaderOptions { StopTimeout = Limits.Unexpected });
         reader.Start();
         await reader.WaitForFramesAsync(1);
         await StopAsync(reader);
@@ -143,7 +143,7 @@ public sealed partial class StarvedStopTests : IDisposable
     private static async Task WhileConnectingAsync(Func<TcpReceiver> takeReceiver)
     {
         using var blackHole = new BlackHole();
-        NeuronReader reader = new NeuronReaderOptions { Port = blackHole.Port }.CreateReader(takeReceiver);
+        NeuronReader reader = new NeuronReaderOptions { Port = blackHole.Port, StopTimeout = Limits.Unexpected }.CreateReader(takeReceiver);
         var log = new StatusLog(reader);
         reader.Start();
         await log.WaitAsync(ConnectionState.Connecting);

@@ -119,7 +119,10 @@ public sealed class EventReporterTests
             _events.Add(reported);
             reporting.Set();
             release.Wait(Limits.Unexpected);
-        });
+        })
+        {
+            EndTimeout = Limits.Unexpected,
+        };
         _figures.Statistics = new ReaderStatistics { Lost = 1, CallbackFailures = 1 };
         Task running = Task.Run(() => reporter.Check(At(0)));
         Assert.True(reporting.Wait(Limits.Unexpected));

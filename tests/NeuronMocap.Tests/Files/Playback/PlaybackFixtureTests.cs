@@ -63,7 +63,9 @@ public class PlaybackFixtureTests
     private static async Task AssertSameAsync(NeuronReader live, FrameLog liveFrames, StatusLog liveStatuses, TemporaryFile file)
     {
         using RecordingPlayer player = RecordingPlayer.Open(file.Path);
-        await using var reader = new NeuronReader(player);
+
+        // The recording holds the pauses of a busy machine.
+        await using var reader = new NeuronReader(player, new NeuronReaderOptions { SilenceTimeout = Limits.Unexpected });
         using var frames = new FrameLog(reader);
         var statuses = new StatusLog(reader);
         reader.Start();

@@ -1,3 +1,5 @@
+using System.Diagnostics;
+
 namespace NeuronMocap.Tests.Recording;
 
 // A disk that takes nothing while it is held.
@@ -16,8 +18,11 @@ internal sealed class HeldStream : MemoryStream
     // Writes of spans also come here.
     public override void Write(byte[] buffer, int offset, int count)
     {
-        _isWaitedFor = !_free.IsSet;
-        _free.Wait(Limits.Unexpected);
+        // The disk may be held at any moment before the wait, and during it.
+        long start = Stopwatch.GetTimestamp();
+        while (!_free.Wait(millisecondsTimeout: 1) && Stopwatch.GetElapsedTime(start) < Limits.Unexpected)
+            _isWaitedFor = true;
+
         _isWaitedFor = false;
         base.Write(buffer, offset, count);
     }
