@@ -18,7 +18,7 @@ public sealed class ConsumerTests
         IChannel channel = DispatchProxy.Create<IChannel, AcknowledgementLog>();
         var acknowledged = ((AcknowledgementLog)(object)channel).Tags;
         var pipe = new Pipe(new PipeOptions(pauseWriterThreshold: 0));
-        var consumer = new PacketConsumer(channel, new SourceState(options), pipe.Writer, options);
+        var consumer = new PacketConsumer(channel, new SourceState(options), pipe.Writer, options, restTime: Timeout.InfiniteTimeSpan);
         ulong tag = 0;
 
         async Task DeliverAsync(int count)

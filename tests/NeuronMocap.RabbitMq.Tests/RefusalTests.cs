@@ -128,16 +128,19 @@ public sealed class RefusalTests(SharedBroker shared)
     // A server of motion, in place of a broker. It ends within what the client takes for a frame.
     private static async Task ServeAsync(TcpListener listener)
     {
+        byte[] buffer = new byte[1024];
         while (true)
         {
             using Socket client = await listener.AcceptSocketAsync();
+
+            // The client (7.1) does not notice an end that its reading thread meets before the other one has begun the handshake.
+            await client.ReceiveAsync(buffer);
             await client.SendAsync(TestPackets.Motion(0));
 
             // Reads what the client has sent, because a close would otherwise reset the connection.
             client.Shutdown(SocketShutdown.Send);
             try
             {
-                byte[] buffer = new byte[1024];
                 while (await client.ReceiveAsync(buffer) > 0)
                 {
                 }

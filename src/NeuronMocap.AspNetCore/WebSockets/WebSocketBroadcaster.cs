@@ -116,6 +116,7 @@ public sealed class WebSocketBroadcaster : IAsyncDisposable
             return;
         }
 
+        WebSocketClient? client = null;
         try
         {
             if (HttpProtocol.IsHttp11(context.Request.Protocol))
@@ -124,11 +125,12 @@ public sealed class WebSocketBroadcaster : IAsyncDisposable
             using LimitedInput input = context.Features.GetRequiredFeature<LimitedInput>();
             using WebSocket socket = await context.WebSockets.AcceptWebSocketAsync(
                 new WebSocketAcceptContext { SubProtocol = request.Subprotocol, KeepAliveInterval = KeepAliveInterval }).ConfigureAwait(false);
-            await ServeAsync(new WebSocketClient(socket, input, request, context), context).ConfigureAwait(false);
+            client = new WebSocketClient(socket, input, request, context);
+            await ServeAsync(client, context).ConfigureAwait(false);
         }
         finally
         {
-            ReleasePlace();
+            Leave(client);
         }
     }
 
@@ -138,12 +140,6 @@ public sealed class WebSocketBroadcaster : IAsyncDisposable
         CancellationToken stopping = context.RequestServices.GetService<IHostApplicationLifetime>()?.ApplicationStopping ?? CancellationToken.None;
         using (stopping.Register(() => client.End(WebSocketCloseStatus.EndpointUnavailable, Stopping)))
             await client.RunAsync().ConfigureAwait(false);
-
-        lock (_lock)
-        {
-            _clients = [.. _clients.Where(each => each != client)];
-            _departed = _departed.Add(client.Statistics);
-        }
     }
 
     private async Task RefuseAsync(HttpContext context, Refusal refusal)
@@ -169,10 +165,17 @@ public sealed class WebSocketBroadcaster : IAsyncDisposable
         }
     }
 
-    private void ReleasePlace()
+    // When a client is no longer counted, its place is free. Null if the connection ended before there was a client.
+    private void Leave(WebSocketClient? client)
     {
         lock (_lock)
         {
+            if (client is not null)
+            {
+                _clients = [.. _clients.Where(each => each != client)];
+                _departed = _departed.Add(client.Statistics);
+            }
+
             _places--;
             if (_hasEnded && _places == 0)
                 _served.TrySetResult();

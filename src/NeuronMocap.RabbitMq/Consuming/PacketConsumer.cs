@@ -32,11 +32,13 @@ internal sealed class PacketConsumer : AsyncDefaultBasicConsumer
     private ulong _acknowledged;
     private NeuronConnectionException? _failure;
 
-    public PacketConsumer(IChannel channel, SourceState state, PipeWriter writer, RabbitMqSourceOptions options)
+    // restTime: null for the usual one.
+    public PacketConsumer(IChannel channel, SourceState state, PipeWriter writer, RabbitMqSourceOptions options, TimeSpan? restTime = null)
         : base(channel)
     {
         (_state, _writer, _options) = (state, writer, options);
-        _rest = new Timer(static self => ((PacketConsumer)self!).Rest(), this, RestTime, RestTime);
+        TimeSpan period = restTime ?? RestTime;
+        _rest = new Timer(static self => ((PacketConsumer)self!).Rest(), this, period, period);
     }
 
     // Why the connection ended; set before the pipe ends.

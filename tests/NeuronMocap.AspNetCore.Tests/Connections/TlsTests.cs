@@ -13,7 +13,9 @@ public sealed class TlsTests
     public async Task Frames_and_requests_pass_through_TLS()
     {
         using X509Certificate2 certificate = Certificates.SelfSigned("stage.example");
-        await using var broadcaster = new Broadcaster(new BroadcasterOptions { Sources = [new SyntheticSource()], Port = null, WaitForClient = true });
+
+        // A client that does not run for seconds loses nothing.
+        await using var broadcaster = new Broadcaster(new BroadcasterOptions { Sources = [new SyntheticSource()], Port = null, WaitForClient = true, QueueCapacity = 4096 });
         broadcaster.Start();
         await using WebServer web = await WebServer.StartAsync(listen => listen.UseHttps(certificate).UseNeuronBroadcast(broadcaster));
         await using var reader = new NeuronReader(Options(web, new() { TrustedCertificate = certificate }));
@@ -205,7 +207,7 @@ public sealed class TlsTests
     }
 
     private static NeuronReaderOptions Options(WebServer web, NeuronTlsOptions tls, string host = "127.0.0.1") =>
-        new() { Host = host, Port = web.Port, Tls = tls, ConnectTimeout = Limits.Unexpected, Reconnect = { Enabled = false } };
+        new() { Host = host, Port = web.Port, Tls = tls, ConnectTimeout = Limits.Unexpected, SilenceTimeout = Limits.Unexpected, Reconnect = { Enabled = false } };
 
     private static async Task<string> FailAsync(NeuronReaderOptions options, ConnectionReason reason)
     {

@@ -13,7 +13,7 @@ public sealed class WebSocketSourceTests
     public async Task A_reader_gets_whole_packets(ReceiveThread wanted, ReceiveThread used)
     {
         await using MotionSite site = await MotionSite.StartAsync(new WebSocketBroadcasterOptions { Token = "word" });
-        await using var reader = new NeuronReader(Options(new WebSocketSource(new Uri(site.Address), "word") { ConnectTimeout = Limits.Unexpected }, wanted));
+        await using var reader = new NeuronReader(Options(Source(site.Address, "word"), wanted));
         var packets = new List<byte[]>();
         reader.MotionReceived += frame => packets.Add(frame.Packet.ToArray());
         reader.Start();
@@ -42,7 +42,7 @@ public sealed class WebSocketSourceTests
         Assert.SkipUnless(File.Exists("/proc/net/tcp"), "This system does not list its connections in a file.");
         await using MotionSite site = await MotionSite.StartAsync();
         var address = new Uri(site.Address);
-        await using var reader = new NeuronReader(Options(new WebSocketSource(address)));
+        await using var reader = new NeuronReader(Options(Source(site.Address)));
         await reader.StartAsync(TestContext.Current.CancellationToken).Soon();
         string server = $"0100007F:{address.Port:X4}";
         await Limits.UntilAsync(() => ((string[])["/proc/net/tcp", "/proc/net/tcp6"]).Where(File.Exists).SelectMany(File.ReadAllLines)
@@ -63,7 +63,7 @@ public sealed class WebSocketSourceTests
         await using MotionSite site = await MotionSite.StartAsync();
         foreach (ReceiveThread thread in (ReceiveThread[])[ReceiveThread.Pool, ReceiveThread.Dedicated])
         {
-            await using var reader = new NeuronReader(Options(new WebSocketSource(new Uri(site.Address)), thread));
+            await using var reader = new NeuronReader(Options(Source(site.Address), thread));
             await reader.StartAsync(TestContext.Current.CancellationToken).Soon();
             await reader.DisposeAsync().AsTask().Soon();
             Assert.Equal(ConnectionState.Stopped, reader.Status.State);
@@ -80,7 +80,7 @@ public sealed class WebSocketSourceTests
     public async Task A_refusal_says_why(string path, string? token, ConnectionReason reason, string why)
     {
         await using MotionSite site = await MotionSite.StartAsync(new WebSocketBroadcasterOptions { Token = "word" });
-        await using var reader = new NeuronReader(Options(new WebSocketSource(new Uri($"{site.Address}{path}"), token)));
+        await using var reader = new NeuronReader(Options(Source($"{site.Address}{path}", token)));
         NeuronConnectionException exception = await Assert.ThrowsAsync<NeuronConnectionException>(() => reader.StartAsync(TestContext.Current.CancellationToken).Soon());
         Assert.Equal((reason, $"Opening {site.Address}{path.Split('?')[0]} failed: {why}"), (exception.Reason, exception.Message));
     }
@@ -89,12 +89,12 @@ public sealed class WebSocketSourceTests
     public async Task A_server_that_is_not_there_or_not_one_is_named()
     {
         int port = FreePort.Next();
-        await using var nobody = new NeuronReader(Options(new WebSocketSource(new Uri($"ws://127.0.0.1:{port}"))));
+        await using var nobody = new NeuronReader(Options(Source($"ws://127.0.0.1:{port}")));
         NeuronConnectionException exception = await Assert.ThrowsAsync<NeuronConnectionException>(() => nobody.StartAsync(TestContext.Current.CancellationToken).Soon());
         Assert.Equal((ConnectionReason.Refused, $"Opening ws://127.0.0.1:{port} failed: Nothing listens on this port."), (exception.Reason, exception.Message));
 
         using var motion = new TestServer();
-        await using var plain = new NeuronReader(Options(new WebSocketSource(new Uri($"ws://127.0.0.1:{motion.Port}"))));
+        await using var plain = new NeuronReader(Options(Source($"ws://127.0.0.1:{motion.Port}")));
         Task<NeuronConnectionException> failing = Assert.ThrowsAsync<NeuronConnectionException>(() => plain.StartAsync(TestContext.Current.CancellationToken).Soon());
         using (TestConnection connection = await motion.AcceptAsync())
             await connection.SendAsync(TestPackets.Motions(1, 3));
@@ -103,7 +103,7 @@ public sealed class WebSocketSourceTests
         Assert.Equal($"Opening ws://127.0.0.1:{motion.Port} failed: There is no web server on this port.", exception.Message);
 
         await using WebServer web = await WebServer.StartAsync(map: static application => application.MapGet("/", static () => "Hello"));
-        await using var other = new NeuronReader(Options(new WebSocketSource(new Uri($"ws://127.0.0.1:{web.Port}"))));
+        await using var other = new NeuronReader(Options(Source($"ws://127.0.0.1:{web.Port}")));
         exception = await Assert.ThrowsAsync<NeuronConnectionException>(() => other.StartAsync(TestContext.Current.CancellationToken).Soon());
         Assert.Contains("The server answers with status 200. It may not be a server of motion.", exception.Message, StringComparison.Ordinal);
 
@@ -123,7 +123,7 @@ public sealed class WebSocketSourceTests
         using TestConnection motion = await server.AcceptAsync();
         await using var broadcaster = new WebSocketBroadcaster(source);
         int port = FreePort.Next();
-        NeuronReaderOptions options = Options(new WebSocketSource(new Uri($"ws://127.0.0.1:{port}/motion")));
+        NeuronReaderOptions options = Options(Source($"ws://127.0.0.1:{port}/motion"));
         options.Reconnect = new ReconnectPolicy { InitialDelay = TimeSpan.FromMilliseconds(1), MaxDelay = TimeSpan.FromMilliseconds(5) };
         await using var reader = new NeuronReader(options);
         reader.Start();
@@ -153,10 +153,15 @@ public sealed class WebSocketSourceTests
         Assert.Equal("wss://studio/motion", new WebSocketSource(new Uri("wss://studio/motion?token=secret")).Name);
     }
 
+    // A busy machine delays threads for seconds.
+    private static WebSocketSource Source(string address, string? token = null) => new(new Uri(address), token) { ConnectTimeout = Limits.Unexpected };
+
     private static NeuronReaderOptions Options(WebSocketSource source, ReceiveThread thread = ReceiveThread.Auto) => new()
     {
         Source = source,
         ReceiveThread = thread,
+        SilenceTimeout = Limits.Unexpected,
+        StopTimeout = Limits.Unexpected,
         Reconnect = { Enabled = false },
     };
 }

@@ -1,5 +1,3 @@
-using System.Net;
-using System.Net.Sockets;
 using System.Text;
 using System.Text.Json;
 using NeuronMocap.Bvh;
@@ -131,14 +129,7 @@ public sealed class CommandRunTests : IDisposable
     [Fact]
     public async Task A_refused_connection_ends_with_1_and_one_line()
     {
-        int port;
-        using (var listener = new TcpListener(IPAddress.Loopback, 0))
-        {
-            listener.Start();
-            port = ((IPEndPoint)listener.LocalEndpoint).Port;
-        }
-
-        ToolResult result = await ToolRunner.RunAsync("command", $"127.0.0.1:{port}");
+        ToolResult result = await ToolRunner.RunAsync("command", FrameServer.RefusingAddress());
         Assert.Equal(1, result.ExitCode);
         Assert.Contains("refused the connection", Assert.Single(result.Error), StringComparison.Ordinal);
     }

@@ -1,6 +1,7 @@
 using System.Net;
 using System.Net.Sockets;
 using NeuronMocap.Protocol;
+using NeuronMocap.Tests.Network;
 
 namespace NeuronMocap.Tool.Tests.Infrastructure;
 
@@ -43,12 +44,8 @@ internal sealed class FrameServer : IDisposable
     /// <summary>Accepts connections and sends nothing.</summary>
     public static FrameServer Silent() => Start(static (_, cancellationToken) => Task.Delay(Timeout.Infinite, cancellationToken));
 
-    /// <summary>An address without a listener.</summary>
-    public static string RefusingAddress()
-    {
-        using var server = new FrameServer();
-        return server.Address;
-    }
+    /// <summary>An address without a listener. The system gives its port to nobody while a test connects to it again and again.</summary>
+    public static string RefusingAddress() => $"127.0.0.1:{FreePort.Next()}";
 
     public static byte[] Motion(uint index, params float[] values) =>
         Motion(new MotionHeader { AvatarName = new AvatarName("Char00"), FrameIndex = index, HasDisplacement = true }, values);

@@ -24,6 +24,9 @@ public sealed class RelayProcessTests : IDisposable
         ToolProcess.SkipWithoutInterrupt();
         using var receiver = new Socket(AddressFamily.InterNetwork, SocketType.Dgram, ProtocolType.Udp) { ReceiveBufferSize = 4_000_000 };
         receiver.Bind(new IPEndPoint(IPAddress.Loopback, 0));
+
+        // All the time: however large the buffer should be, the system may keep the datagrams of three seconds only.
+        Task<byte[]> datagrams = ReceiveUntilEmptyAsync(receiver);
         using var relay = new ToolProcess(
             "neuron-mocap", "relay", "demo", "tcp://127.0.0.1:0", $"udp://{receiver.LocalEndPoint}", _folder["demo.nmrec"], _folder["demo.bvh"]);
         IPEndPoint server = await ReadAddressAsync(relay, Listening);
@@ -44,12 +47,9 @@ public sealed class RelayProcessTests : IDisposable
 
         // Frames end before bytes do when the relay is stopped.
         Assert.InRange(BvhDocument.Load(_folder["demo.bvh"]).FrameCount, 60, recorded.Length / first.PacketSize);
-        var datagrams = new List<byte>();
-        byte[] buffer = new byte[65_536];
-        while (receiver.Available > 0)
-            datagrams.AddRange(buffer[..receiver.Receive(buffer)]);
-
-        Assert.Equal(recorded, datagrams);
+        using var last = new Socket(AddressFamily.InterNetwork, SocketType.Dgram, ProtocolType.Udp);
+        last.SendTo([], receiver.LocalEndPoint!);
+        Assert.Equal(recorded, await datagrams.Soon());
     }
 
     [Fact]
@@ -104,6 +104,18 @@ public sealed class RelayProcessTests : IDisposable
         var socket = new Socket(AddressFamily.InterNetwork, SocketType.Stream, ProtocolType.Tcp);
         await socket.ConnectAsync(server, TestContext.Current.CancellationToken).AsTask().Soon();
         return socket;
+    }
+
+    // Receives datagrams until one of them is empty.
+    private static async Task<byte[]> ReceiveUntilEmptyAsync(Socket receiver)
+    {
+        using var bytes = new MemoryStream();
+        byte[] buffer = new byte[65_536];
+        int count;
+        while ((count = await receiver.ReceiveAsync(buffer.AsMemory(), TestContext.Current.CancellationToken)) > 0)
+            bytes.Write(buffer, 0, count);
+
+        return bytes.ToArray();
     }
 
     // Calls the action once after enough bytes.

@@ -37,7 +37,13 @@ public sealed class WebSocketRelayTests : IDisposable
         Assert.DoesNotContain(watch.Output, static line => line.Contains("word", StringComparison.Ordinal));
         Assert.Contains("\"skippedBytes\":0,", watch.Output[^1], StringComparison.Ordinal);
 
-        ToolResult second = await ToolRunner.RunAsync("relay", $"{address}?token=word", _folder["copy.nmrec"], "--duration", "1");
+        string[] copy = ["relay", $"{address}?token=word", _folder["copy.nmrec"], "--overwrite", "--duration"];
+        ToolResult second = await ToolRunner.RunAsync([.. copy, "1"]);
+
+        // On a busy computer, no frame may arrive in a second.
+        if (second.ExitCode != 0)
+            second = await ToolRunner.RunAsync([.. copy, "30"]);
+
         Assert.Equal(0, second.ExitCode);
         Assert.NotEmpty(RelayRunTests.ReadBytes(_folder["copy.nmrec"]));
 

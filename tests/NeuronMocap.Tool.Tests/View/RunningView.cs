@@ -17,7 +17,7 @@ internal sealed class RunningView : IAsyncDisposable
     private RunningView(string[] args)
     {
         _streams = new StandardStreams(_output, TextWriter.Synchronized(_error), IsTerminal: false);
-        _run = Task.Run(() => CommandLine.RunAsync(["view", .. args, .. args.Contains("--port") ? (string[])[] : ["--port", "0"]], _streams, _stop.Token));
+        _run = Task.Run(() => CommandLine.RunAsync(["view", .. args], _streams, _stop.Token));
     }
 
     /// <summary>The link for this computer, with a token if there is one.</summary>
@@ -28,7 +28,10 @@ internal sealed class RunningView : IAsyncDisposable
 
     public string Error => _error.ToString();
 
-    public static async Task<RunningView> StartAsync(params string[] args)
+    public static Task<RunningView> StartAsync(params string[] args) => StartAsItIsAsync([.. args, .. args.Contains("--port") ? (string[])[] : ["--port", "0"]]);
+
+    /// <summary>Starts on the port that the program chooses unless the arguments name one.</summary>
+    public static async Task<RunningView> StartAsItIsAsync(params string[] args)
     {
         var view = new RunningView(args);
         const string Start = " on http://";

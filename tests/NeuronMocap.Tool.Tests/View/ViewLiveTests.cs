@@ -59,14 +59,12 @@ public sealed class ViewLiveTests
         // The demo walks, so both feet leave the ground now and then.
         await control.FindAsync("contact", static contact => contact.GetProperty("left").GetBoolean());
         await control.FindAsync("contact", static contact => !contact.GetProperty("left").GetBoolean());
-        JsonElement status = await control.FindAsync("status", static status => HasLatency(status) && status.GetProperty("bytesPerSecond").GetDouble() > 0);
-        Assert.Equal("receiving", status.GetProperty("state").GetString());
+        JsonElement status = await control.FindAsync("status", static status => HasLatency(status) && IsReceiving(status));
         Assert.Equal("Receiving", status.GetProperty("words").GetString());
         Assert.Empty(status.GetProperty("advice").GetString()!);
         Assert.StartsWith("127.0.0.1:", status.GetProperty("address").GetString(), StringComparison.Ordinal);
         JsonElement figures = status.GetProperty("performers")[0];
         Assert.Equal("0-0", figures.GetProperty("key").GetString());
-        Assert.True(figures.GetProperty("fps").GetDouble() > 0);
         Assert.Equal(0, figures.GetProperty("lost").GetInt64());
     }
 
@@ -175,6 +173,10 @@ public sealed class ViewLiveTests
         await motion.CloseAsync();
         Assert.Equal(0, await stopping);
     }
+
+    // On a busy computer, the stream can rest for more than a second. Then its rate is 0, and later it is silent.
+    private static bool IsReceiving(JsonElement status) => status.GetProperty("state").ValueEquals("receiving")
+        && status.GetProperty("bytesPerSecond").GetDouble() > 0 && status.GetProperty("performers")[0].GetProperty("fps").GetDouble() > 0;
 
     private static bool HasLatency(JsonElement status) =>
         status.GetProperty("performers").EnumerateArray().Any(static performer => performer.GetProperty("latency").ValueKind == JsonValueKind.Number);

@@ -1,4 +1,5 @@
 using System.Buffers.Binary;
+using System.Diagnostics;
 using System.Net.WebSockets;
 using System.Numerics;
 using System.Text.Json;
@@ -77,10 +78,20 @@ public sealed class CharacterServerTests
         }
 
         await CharacterServer.UntilAsync(() => motion.Listeners == 0, "both pages are gone");
-        (long posed, long taken) = (motion.Posed, server.FramesTaken);
         using ClientWebSocket other = await server.ListenAsync(await server.AddAsync(nodes, "0-1"));
-        await CharacterServer.UntilAsync(() => server.FramesTaken > taken + 5, "another character takes frames");
-        Assert.Equal(posed, motion.Posed);
+
+        // A frame on its way may still be posed, but then no more.
+        long before, after = -1;
+        var patience = Stopwatch.StartNew();
+        do
+        {
+            Assert.True(patience.Elapsed < Limits.Unexpected, "The server makes poses that no page wants.");
+            before = after;
+            long taken = server.FramesTaken;
+            await CharacterServer.UntilAsync(() => server.FramesTaken > taken + 5, "another character takes frames");
+            after = motion.Posed;
+        }
+        while (after != before);
     }
 
     [Fact]
