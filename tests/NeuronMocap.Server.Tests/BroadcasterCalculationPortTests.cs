@@ -1,5 +1,6 @@
 using System.Net;
 using System.Net.Sockets;
+using NeuronMocap.Tests.Network;
 using NeuronMocap.Tests.Server;
 using static NeuronMocap.Server.Tests.Broadcasts;
 
@@ -194,7 +195,7 @@ public sealed class BroadcasterCalculationPortTests
     [Fact]
     public void A_port_in_use_is_named_and_the_start_can_be_repeated()
     {
-        using var other = new TcpListener(IPAddress.Loopback, 0);
+        using var other = new TcpListener(IPAddress.Loopback, FreePort.Next());
         other.Start();
         BroadcasterOptions options = Options(2000, BroadcastFormat.Binary);
         options.CalculationPort = ((IPEndPoint)other.LocalEndpoint).Port;

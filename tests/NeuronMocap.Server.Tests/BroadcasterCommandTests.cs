@@ -246,6 +246,7 @@ public sealed class BroadcasterCommandTests
         await using var reader = new NeuronReader("127.0.0.1", broadcaster.LocalEndPoint!.Port);
         var modes = new System.Collections.Concurrent.ConcurrentQueue<(int? Avatar, CombinationMode? Mode)>();
         reader.DataCommands.Received += reply => modes.Enqueue((reply.AvatarIndex, reply.CombinationMode));
+        reader.DataCommands.Timeout = Limits.Unexpected;
         reader.Start();
         await Limits.UntilAsync(() => reader.Status.IsConnected);
         CancellationToken cancellationToken = TestContext.Current.CancellationToken;

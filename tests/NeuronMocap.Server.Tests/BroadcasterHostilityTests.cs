@@ -34,36 +34,21 @@ public sealed class BroadcasterHostilityTests
         Assert.Equal(SocketError.ConnectionReset, end.SocketErrorCode);
     }
 
-    // A frame of all avatars, 1.4 MB, is longer than what the client takes in time.
+    // A frame of all avatars, 1.4 MB, is longer than what the client takes in time. A busy machine may keep the client itself from reading for so long, so
+    // it may try again. A server that disconnects slow clients does so every time.
     [Fact]
     public async Task A_client_that_is_slow_but_steady_stays()
     {
-        const int BytesPerSecond = 400_000;
-        const int Enough = 2_800_000;
+        const int Attempts = 5;
         BroadcasterOptions options = Expect.Options(avatars: 256);
         options.Calculation = TestSource.WriteCalculation;
         options.ClientTimeout = TimeSpan.FromSeconds(3);
         await using Broadcaster broadcaster = Started(options);
-        using TestClient client = await TestClient.ConnectAsync(broadcaster.LocalEndPoint);
-        client.Socket.ReceiveBufferSize = 256 * 1024;
-        byte[] buffer = new byte[64 * 1024];
-        long start = Stopwatch.GetTimestamp();
-        int taken = 0;
-        while (taken < Enough)
-        {
-            int due = (int)(Stopwatch.GetElapsedTime(start).TotalSeconds * BytesPerSecond) - taken;
-            if (due <= 0)
-            {
-                await Task.Delay(5, TestContext.Current.CancellationToken);
-                continue;
-            }
+        bool stays = false;
+        for (int i = 0; i < Attempts && !stays; i++)
+            stays = await TryTakeSlowlyAsync(broadcaster);
 
-            int read = await client.Socket.ReceiveAsync(buffer.AsMemory(0, Math.Min(due, buffer.Length)), TestContext.Current.CancellationToken).Soon();
-            Assert.NotEqual(0, read);
-            taken += read;
-        }
-
-        Assert.Equal(1, broadcaster.GetStatistics().Clients);
+        Assert.True(stays);
     }
 
     [Fact]
@@ -162,6 +147,44 @@ public sealed class BroadcasterHostilityTests
         using TestClient client = await TestClient.ConnectAsync(broadcaster.LocalEndPoint);
         Assert.Null(await client.ReadAsync());
         await Assert.ThrowsAsync<InsufficientMemoryException>(() => broadcaster.Completion.Soon());
+    }
+
+    // Returns false if the broadcaster ends the connection.
+    private static async Task<bool> TryTakeSlowlyAsync(Broadcaster broadcaster)
+    {
+        const int BytesPerSecond = 400_000;
+        const int Enough = 2_800_000;
+        using TestClient client = await TestClient.ConnectAsync(broadcaster.LocalEndPoint);
+        client.Socket.ReceiveBufferSize = 256 * 1024;
+        byte[] buffer = new byte[64 * 1024];
+        long start = Stopwatch.GetTimestamp();
+        int taken = 0;
+        while (taken < Enough)
+        {
+            int due = (int)(Stopwatch.GetElapsedTime(start).TotalSeconds * BytesPerSecond) - taken;
+            if (due <= 0)
+            {
+                await Task.Delay(5, TestContext.Current.CancellationToken);
+                continue;
+            }
+
+            int read;
+            try
+            {
+                read = await client.Socket.ReceiveAsync(buffer.AsMemory(0, Math.Min(due, buffer.Length)), TestContext.Current.CancellationToken).Soon();
+            }
+            catch (SocketException)
+            {
+                return false;
+            }
+
+            if (read == 0)
+                return false;
+
+            taken += read;
+        }
+
+        return broadcaster.GetStatistics().Clients == 1;
     }
 
     private static async Task<List<byte[]>> ReadUntilAsync(TestClient client, Func<bool> condition, List<byte[]>? into = null)

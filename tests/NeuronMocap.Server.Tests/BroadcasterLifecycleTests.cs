@@ -33,11 +33,11 @@ public sealed class BroadcasterLifecycleTests
     public async Task A_port_can_be_taken_again_right_after_a_broadcast()
     {
         BroadcasterOptions options = Expect.Options(frames: 3);
+        options.Port = FreePort.Next();
         for (int i = 0; i < 3; i++)
         {
             await using var broadcaster = new Broadcaster(options);
             broadcaster.Start();
-            options.Port = broadcaster.LocalEndPoint!.Port;
             using TestClient client = await TestClient.ConnectAsync(broadcaster.LocalEndPoint);
             Assert.Equal(3, (await client.ReadToEndAsync()).Count);
         }
@@ -83,6 +83,7 @@ public sealed class BroadcasterLifecycleTests
     public async Task It_can_be_disposed_at_any_moment(double rate, bool hasClients)
     {
         BroadcasterOptions options = Expect.Options();
+        options.Port = FreePort.Next();
         options.FrameRate = rate;
         options.WaitForClient = !hasClients;
         var broadcaster = new Broadcaster(options);

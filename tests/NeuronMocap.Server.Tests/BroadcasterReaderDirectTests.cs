@@ -221,6 +221,11 @@ public sealed class BroadcasterReaderDirectTests
         await Limits.UntilAsync(() => broadcaster.GetStatistics().Clients == 1);
         reader.Tap.Open(isDatagrams: false, local: null, remote: null, 0);
         byte[] piece = [.. Enumerable.Range(0, Batch).SelectMany(static index => TestPackets.Motion(index))];
+
+        // More than the connection and the queue hold, before the time is over.
+        for (int i = 0; i < 64; i++)
+            reader.Tap.OnBytes(0, [], piece, 1);
+
         await Limits.UntilAsync(() =>
         {
             reader.Tap.OnBytes(0, [], piece, 1);

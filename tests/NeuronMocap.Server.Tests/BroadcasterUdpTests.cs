@@ -1,5 +1,6 @@
 using System.Net;
 using System.Net.Sockets;
+using NeuronMocap.Tests.Network;
 using NeuronMocap.Tests.Server;
 using static NeuronMocap.Server.Tests.Broadcasts;
 
@@ -68,10 +69,7 @@ public sealed class BroadcasterUdpTests
     [Fact]
     public async Task An_unreachable_destination_does_not_end_the_broadcast()
     {
-        BroadcasterOptions options;
-        using (Socket gone = Receiver())
-            options = Options(BroadcasterOptions.MaxFrameRate, gone);
-
+        BroadcasterOptions options = Options(BroadcasterOptions.MaxFrameRate, new IPEndPoint(IPAddress.Loopback, FreePort.Next()));
         options.MaxFrames = 2000;
         await using Broadcaster broadcaster = Started(options);
         await broadcaster.Completion.Soon();
@@ -91,12 +89,14 @@ public sealed class BroadcasterUdpTests
         await broadcaster.Completion.Soon();
     }
 
-    private static BroadcasterOptions Options(double rate, Socket receiver)
+    private static BroadcasterOptions Options(double rate, Socket receiver) => Options(rate, (IPEndPoint)receiver.LocalEndPoint!);
+
+    private static BroadcasterOptions Options(double rate, IPEndPoint destination)
     {
         BroadcasterOptions options = Expect.Options(avatars: 2);
         options.FrameRate = rate;
         options.Port = null;
-        options.UdpDestinations = [(IPEndPoint)receiver.LocalEndPoint!];
+        options.UdpDestinations = [destination];
         options.Calculation = TestSource.WriteCalculation;
         options.MaxFrames = 10;
         return options;

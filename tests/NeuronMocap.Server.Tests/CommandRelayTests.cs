@@ -33,7 +33,8 @@ public sealed class CommandRelayTests
         await using var server = new CommandServer(broadcaster, new CommandServerOptions { Port = 0 });
         server.Start();
         await using CommandRelay relay = Started(server.LocalEndPoint!.Port);
-        await using NeuronCommandClient client = new NeuronCommandClient("127.0.0.1", relay.LocalEndPoint!.Port);
+        await using var client = new NeuronCommandClient(
+            new NeuronCommandOptions { Port = relay.LocalEndPoint!.Port, Timeout = Limits.Unexpected, ConnectTimeout = Limits.Unexpected });
         Assert.Equal(RotationOrder.ZXY, await client.GetRotationOrderAsync(TestContext.Current.CancellationToken).Soon());
         Assert.Equal((1, 1), (relay.ClientCount, server.ClientCount));
     }

@@ -13,7 +13,7 @@ public sealed class DemoTests
         Assert.Equal(240, demo.FrameRate);
         await using var reader = new NeuronReader(NeuronReaderOptions.Parse($"{demo.LocalEndPoint}"));
         List<(string, uint?)> frames = [];
-        await foreach (MotionFrame frame in reader.ReadMotionAsync(TestContext.Current.CancellationToken))
+        await foreach (MotionFrame frame in reader.ReadMotionAsync(new FrameQueueOptions { Capacity = 4096 }, TestContext.Current.CancellationToken))
         {
             frames.Add((frame.AvatarName, frame.FrameIndex));
             if (frames.Count == 4)
@@ -35,7 +35,9 @@ public sealed class DemoTests
         await using Broadcaster demo = Broadcaster.StartDemo(avatars: 2, rotationOrder: RotationOrder.ZXY);
         await using var server = new CommandServer(demo, new CommandServerOptions { Port = 0 });
         server.Start();
-        await using var client = new NeuronCommandClient(NeuronCommandOptions.Parse($"{server.LocalEndPoint}"));
+        NeuronCommandOptions options = NeuronCommandOptions.Parse($"{server.LocalEndPoint}");
+        options.Timeout = Limits.Unexpected;
+        await using var client = new NeuronCommandClient(options);
 
         Assert.Equal(RotationOrder.ZXY, await client.GetRotationOrderAsync(TestContext.Current.CancellationToken));
         BoneDimensions body = await client.GetBoneDimensionsAsync(1, TestContext.Current.CancellationToken);

@@ -82,13 +82,13 @@ public sealed class NeuronCommandClient : IDisposable, IAsyncDisposable
         }
     }
 
-    // Whether a command waits for a connection.
+    // Whether a command waits for a connection. A command that fails closes its connection first, and then waits for none.
     internal bool IsConnecting
     {
         get
         {
             lock (_lock)
-                return _isWorking && _connection?.IsOpen != true;
+                return _isWorking && _connection?.IsConnecting != false;
         }
     }
 

@@ -100,8 +100,11 @@ public sealed class ScriptTests
     [Fact]
     public async Task A_script_of_b15_listens_to_datagrams_from_macOS()
     {
+        // All datagrams at once fit into the smallest buffer that a system grants.
+        const int Few = 50;
         int port = FreePort.Next();
         BroadcasterOptions options = Options(displacement: true, reference: false, fragment: 1024, avatars: 1);
+        options.MaxFrames = Few;
         options.Port = null;
         options.FrameRate = 1000;
         options.UdpDestinations = [new IPEndPoint(IPAddress.Loopback, port)];
@@ -111,8 +114,8 @@ public sealed class ScriptTests
             IntPtr service = W2Script.Listen(port);
             using var server = new Broadcaster(options);
             server.Start();
-            await Limits.UntilAsync(static () => W2Script.Count(W2Script.Frames) == Frames);
-            AssertFrames(options, [.. W2Script.Frames], service, customObject: 5);
+            await Limits.UntilAsync(static () => W2Script.Count(W2Script.Frames) == Few);
+            AssertFrames(options, [.. W2Script.Frames], service, customObject: 5, Few);
         }
         finally
         {
@@ -294,12 +297,12 @@ public sealed class ScriptTests
         Fragment = fragment,
     };
 
-    private static void AssertFrames(BroadcasterOptions options, ReceivedFrame[] frames, IntPtr connection, long customObject)
+    private static void AssertFrames(BroadcasterOptions options, ReceivedFrame[] frames, IntPtr connection, long customObject, int count = Frames)
     {
         var layout = new ChannelLayout(options.IncludeDisplacement!.Value, options.IncludeReference);
         int avatars = options.Sources.Count;
         float[] expected = new float[layout.ValueCount];
-        Assert.Equal(Frames * avatars, frames.Length);
+        Assert.Equal(count * avatars, frames.Length);
         foreach ((ReceivedFrame frame, int i) in frames.Select(static (frame, i) => (frame, i)))
         {
             Assert.Equal(

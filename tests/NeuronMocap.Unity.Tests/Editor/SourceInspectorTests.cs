@@ -1,6 +1,7 @@
 using NeuronMocap.Server;
 using NeuronMocap.Tests.Network;
 using NeuronMocap.Unity.EditorTools;
+using NeuronMocap.Unity.Tests.Infrastructure;
 using UnityEditor;
 
 namespace NeuronMocap.Unity.Tests.Editor;
@@ -126,7 +127,7 @@ public class SourceInspectorTests
     public void Arriving_data_is_green_with_rate_and_performers()
     {
         using var world = new EditorWorld(play: true);
-        MocapSource source = world.AddSource(static source => (source.Kind, source.PerformerCount) = (SourceKind.Simulator, 2));
+        MocapSource source = world.AddSource(static source => (source.Kind, source.PerformerCount, source.IdleTimeout) = (SourceKind.Simulator, 2, Stage.Patience));
         world.Loop.RunUntil(() => source.State == SourceState.Receiving && source.Performers.Count == 2 && source.FrameRate > 0);
         world.Loop.RunFor(0.2f);
 

@@ -15,6 +15,9 @@ internal sealed class MonoProgram(params string[] others) : IDisposable
     private const int Aborted = 134;
     private const string Facade = "/usr/lib/mono/4.5/Facades/netstandard.dll";
 
+    // A program that does many things one after the other takes 10 s, and several times that on a busy computer.
+    private static readonly TimeSpan Limit = 10 * Limits.Unexpected;
+
     private readonly string[] _assemblies = ["NeuronMocap.dll", "NeuronMocap.Server.dll", "NeuronMocap.Compatibility.dll", .. others];
 
     private readonly string _folder = Directory.CreateTempSubdirectory("neuron-mocap-mono-").FullName;
@@ -79,7 +82,7 @@ internal sealed class MonoProgram(params string[] others) : IDisposable
         Task<string> error = process.StandardError.ReadToEndAsync(TestContext.Current.CancellationToken);
         try
         {
-            await process.WaitForExitAsync(TestContext.Current.CancellationToken).Soon();
+            await process.WaitForExitAsync(TestContext.Current.CancellationToken).WaitAsync(Limit, TestContext.Current.CancellationToken);
         }
         finally
         {

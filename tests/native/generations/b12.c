@@ -60,6 +60,9 @@ static void CALLBACK on_answer(void *object, SOCKET_REF sender, CommandPack *pac
     int command = in_answer;
 
     memcpy(parameters, pack->CmdParaments, sizeof parameters);
+
+    /* The main thread prints lines, too. */
+    flockfile(stdout);
     printf("answer %s %p id %d version %08X length %u count %u parameters %d %d", (const char *)object, sender, (int)pack->CommandId, pack->DataVersion,
            pack->DataLength, pack->DataCount, parameters[0], parameters[1]);
     if (data == NULL)
@@ -71,6 +74,7 @@ static void CALLBACK on_answer(void *object, SOCKET_REF sender, CommandPack *pac
     else
         printf(" data");
     printf("\n");
+    funlockfile(stdout);
 
     if (command >= 0) {
         in_answer = -1;
