@@ -47,7 +47,7 @@ public sealed class FollowCameraTests : IDisposable
         _follow.FollowTime = 0.5f;
         _loop.Frame();
         _follow.Target.position = new Vector3(9, 0, 0);
-        _loop.RunFor(0.5f);
+        _loop.Frames(30);
         float distance = (_follow.transform.position - (_follow.Target.position + _follow.Viewpoint)).magnitude;
         Assert.InRange(distance, 9 * 0.33f, 9 * 0.4f);
     }
