@@ -205,7 +205,7 @@ public sealed class LiveTests(SharedBroker shared)
     private static Task<IConnection> ConnectAsync(Broker broker) =>
         new ConnectionFactory { HostName = "127.0.0.1", Port = broker.Port }.CreateConnectionAsync(TestContext.Current.CancellationToken);
 
-    // A publisher without confirmations waits for seconds at most until the broker has taken everything. A busy one can take longer.
+    // At its end, a publisher without confirmations waits some seconds for the broker. A busy broker can take longer.
     private static async Task<BasicGetResult> GetAsync(IChannel channel, string queue)
     {
         using var limit = CancellationTokenSource.CreateLinkedTokenSource(TestContext.Current.CancellationToken);

@@ -132,15 +132,14 @@ public sealed class RefusalTests(SharedBroker shared)
         while (true)
         {
             using Socket client = await listener.AcceptSocketAsync();
-
-            // The client (7.1) does not notice an end that its reading thread meets before the other one has begun the handshake.
-            await client.ReceiveAsync(buffer);
-            await client.SendAsync(TestPackets.Motion(0));
-
-            // Reads what the client has sent, because a close would otherwise reset the connection.
-            client.Shutdown(SocketShutdown.Send);
             try
             {
+                // The client (7.1) does not notice an end that its reading thread meets before the other one has begun the handshake.
+                await client.ReceiveAsync(buffer);
+                await client.SendAsync(TestPackets.Motion(0));
+
+                // Reads what the client has sent, because a close would otherwise reset the connection.
+                client.Shutdown(SocketShutdown.Send);
                 while (await client.ReceiveAsync(buffer) > 0)
                 {
                 }

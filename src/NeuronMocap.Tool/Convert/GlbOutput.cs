@@ -59,7 +59,7 @@ internal sealed class GlbOutput(
         if (starts.Avatars.Count == 0)
             throw TimeRange.NoFrames(starts.Duration);
 
-        // Avatars have the same colours in each file. Those of several senders can have equal numbers.
+        // Avatars of one sender have the same colours in each file. Those of several senders can have equal numbers.
         bool hasOneSender = starts.Avatars.Keys.DistinctBy(static key => key.Sender).Count() == 1;
         foreach ((int sender, int avatar) in starts.Avatars.Keys)
         {

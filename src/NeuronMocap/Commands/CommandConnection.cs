@@ -25,8 +25,6 @@ internal sealed class CommandConnection(NeuronCommandOptions options, LinkOption
     // Whether the server has sent anything since the last request.
     public bool HasHeard { get; private set; }
 
-    public bool IsConnecting => !_isClosed && _socket?.Connected != true;
-
     // True if the connection is readable but has no bytes: the server has closed or reset it.
     public bool IsLeft
     {

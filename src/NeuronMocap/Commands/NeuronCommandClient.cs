@@ -44,6 +44,7 @@ public sealed class NeuronCommandClient : IDisposable, IAsyncDisposable
     private CommandRequest? _current;
     private CommandConnection? _connection;
     private bool _isWorking;
+    private bool _isConnecting;
     private bool _isDisposed;
 
     /// <summary>Creates a client; it does not connect yet.</summary>
@@ -82,13 +83,13 @@ public sealed class NeuronCommandClient : IDisposable, IAsyncDisposable
         }
     }
 
-    // Whether a command waits for a connection. A command that fails closes its connection first, and then waits for none.
+    // Whether the current command waits for a connection, or failed because it got none.
     internal bool IsConnecting
     {
         get
         {
             lock (_lock)
-                return _isWorking && _connection?.IsConnecting != false;
+                return _isConnecting;
         }
     }
 
@@ -274,7 +275,7 @@ public sealed class NeuronCommandClient : IDisposable, IAsyncDisposable
         {
             request = _queue.First?.Value;
             _current = request;
-            _isWorking = request is not null;
+            _isWorking = _isConnecting = request is not null;
             if (request is not null)
                 _queue.RemoveFirst();
 
@@ -303,8 +304,11 @@ public sealed class NeuronCommandClient : IDisposable, IAsyncDisposable
         Ask(connection, request);
     }
 
-    private static void Ask(CommandConnection connection, CommandRequest request)
+    private void Ask(CommandConnection connection, CommandRequest request)
     {
+        lock (_lock)
+            _isConnecting = false;
+
         if (request.Id is null)
             request.Complete(default);
         else
@@ -318,6 +322,7 @@ public sealed class NeuronCommandClient : IDisposable, IAsyncDisposable
         {
             _connection?.Close();
             _connection = connection;
+            _isConnecting = true;
 
             // The request was cancelled, or the client disposed, before there was a connection to close.
             if (request.IsCompleted)

@@ -11,6 +11,8 @@ namespace NeuronMocap.Compatibility.Tests.Infrastructure;
 /// <summary>The vendor's functions as C# programs call them, with the same lines as driver.c. A thread acts as the program's main thread.</summary>
 internal sealed class ManagedDriver : VendorDriver
 {
+    private static readonly TimeSpan UsualPatience = VendorSocket.CloseTimeout;
+
     private readonly BlockingCollection<string> _calls = [];
     private readonly Channel<string> _lines = Channel.CreateUnbounded<string>();
     private readonly List<Reaction> _reactions = [];
@@ -19,8 +21,11 @@ internal sealed class ManagedDriver : VendorDriver
     private readonly ConcurrentBag<IntPtr> _handles = [];
     private readonly Thread _main;
 
-    public ManagedDriver()
+    /// <summary>Starts the main thread.</summary>
+    /// <param name="isPatient">Whether closing waits until a running callback ends, instead of the usual short time.</param>
+    public ManagedDriver(bool isPatient = false)
     {
+        VendorSocket.CloseTimeout = isPatient ? Limits.Unexpected : UsualPatience;
         NeuronDataReader.BRRegisterFrameDataCallback('f', (custom, sender, header, data) => TellFrame("frame", custom, sender, header, data));
         NeuronDataReader.BRRegisterCalculationDataCallback('c', (custom, sender, header, data) => TellFrame("calculation", custom, sender, header, data));
         NeuronDataReader.BRRegisterSocketStatusCallback('s', TellStatus);
@@ -49,6 +54,7 @@ internal sealed class ManagedDriver : VendorDriver
     public override async ValueTask DisposeAsync()
     {
         await StopAsync();
+        VendorSocket.CloseTimeout = UsualPatience;
         foreach (IntPtr handle in _handles)
             NeuronDataReader.BRCloseSocket(handle);
 

@@ -19,6 +19,8 @@ public sealed class CommandChannelContractTests : CommandChannelContract
 public sealed class EndContractTests : EndContract
 {
     private protected override VendorDriver Start() => new ManagedDriver();
+
+    private protected override VendorDriver StartPatient() => new ManagedDriver(isPatient: true);
 }
 
 public sealed class UdpServiceContractTests : UdpServiceContract

@@ -11,7 +11,7 @@ internal sealed class NativeProgram : IAsyncDisposable
     private readonly List<string> _errors = [];
 
     // Lines before the results of calls.
-    private readonly Queue<string> _passed = [];
+    private readonly Queue<string> _earlier = [];
 
     private NativeProgram(ProcessStartInfo start)
     {
@@ -62,7 +62,7 @@ internal sealed class NativeProgram : IAsyncDisposable
     public void Write(string line) => _process.StandardInput.WriteLine(line);
 
     /// <summary>Reads the next line of its output.</summary>
-    public Task<string> ReadAsync() => _passed.TryDequeue(out string? line) ? Task.FromResult(line) : ReadNextAsync();
+    public Task<string> ReadAsync() => _earlier.TryDequeue(out string? line) ? Task.FromResult(line) : ReadNextAsync();
 
     /// <summary>Reads up to the next line with this start, and skips the lines before it.</summary>
     public async Task<string> ReadAsync(string start)
@@ -85,14 +85,14 @@ internal sealed class NativeProgram : IAsyncDisposable
             if (read.StartsWith("= ", StringComparison.Ordinal))
                 return read[2..];
 
-            _passed.Enqueue(read);
+            _earlier.Enqueue(read);
         }
     }
 
     /// <summary>Returns all remaining lines after it has ended.</summary>
     public IEnumerable<string> ReadRest()
     {
-        while (_passed.TryDequeue(out string? line) || _lines.Reader.TryRead(out line))
+        while (_earlier.TryDequeue(out string? line) || _lines.Reader.TryRead(out line))
             yield return line;
     }
 

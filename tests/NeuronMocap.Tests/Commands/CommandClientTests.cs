@@ -209,6 +209,63 @@ public class CommandClientTests
     }
 
     [Fact]
+    public async Task A_client_connects_until_the_server_can_get_the_request()
+    {
+        using var resolves = new SemaphoreSlim(0);
+        using var asked = new SemaphoreSlim(0);
+        using var answers = new SemaphoreSlim(0);
+        using var server = new CommandScript(async request =>
+        {
+            asked.Release();
+            await answers.WaitAsync();
+            await request.ReplyAsync(ZXY);
+            request.Connection.Close();
+        });
+        using var client = new NeuronCommandClient(new NeuronCommandOptions { Host = "suit-pc", Port = server.Port, Timeout = Limits.Unexpected, ConnectTimeout = Limits.Unexpected })
+        {
+            Resolve = _ =>
+            {
+                resolves.Wait();
+                return [IPAddress.Loopback];
+            },
+        };
+        Assert.False(client.IsConnecting);
+        for (int connection = 1; connection <= 2; connection++)
+        {
+            Task<RotationOrder> call = client.GetRotationOrderAsync();
+            await Limits.UntilAsync(() => client.IsConnecting);
+            resolves.Release();
+            await asked.WaitAsync(TestContext.Current.CancellationToken).Soon();
+            Assert.False(client.IsConnecting);
+
+            answers.Release();
+            Assert.Equal(RotationOrder.ZXY, await call.Soon());
+            Assert.False(client.IsConnecting);
+        }
+    }
+
+    [Fact]
+    public async Task A_queued_call_waits_for_the_connection_of_the_one_before_it()
+    {
+        using var end = new ManualResetEventSlim();
+        using var client = new NeuronCommandClient(new NeuronCommandOptions { Host = "suit-pc", ConnectTimeout = Limits.Unexpected })
+        {
+            Resolve = _ =>
+            {
+                end.Wait();
+                throw new SocketException((int)SocketError.HostNotFound);
+            },
+        };
+        Task[] calls = [client.ZeroOutAllAsync(), client.ZeroOutAllAsync()];
+        await Limits.UntilAsync(() => client.IsConnecting);
+        end.Set();
+        foreach (Task call in calls)
+            await FailsAsync(call, CommandFailure.HostNotFound, "suit-pc");
+
+        await Limits.UntilAsync(() => !client.IsConnecting);
+    }
+
+    [Fact]
     public async Task Disposing_ends_running_and_queued_calls()
     {
         var asked = new TaskCompletionSource(TaskCreationOptions.RunContinuationsAsynchronously);

@@ -205,6 +205,7 @@ public sealed class ServerDiscoveryTests : IDisposable
             return Volatile.Read(ref rounds) >= 3 && Volatile.Read(ref requests) >= 5;
         });
         Assert.Equal(3, Volatile.Read(ref rounds));
+        Assert.InRange(Volatile.Read(ref requests), 5, 6);
     }
 
     private static SkeletonBody Tall(float upperLeg) =>

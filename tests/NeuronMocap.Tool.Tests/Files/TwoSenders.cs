@@ -5,7 +5,7 @@ using NeuronMocap.Skeleton;
 
 namespace NeuronMocap.Tool.Tests.Files;
 
-/// <summary>A recording of two computers that send over UDP. Both have an avatar 0, unless a test says otherwise, with the same frame numbers.</summary>
+/// <summary>A recording of two computers that send over UDP. Both number their frames alike, and both have an avatar 0 unless a test says otherwise.</summary>
 internal static class TwoSenders
 {
     public const int Frames = 60;

@@ -25,7 +25,7 @@ public sealed class RelayProcessTests : IDisposable
         using var receiver = new Socket(AddressFamily.InterNetwork, SocketType.Dgram, ProtocolType.Udp) { ReceiveBufferSize = 4_000_000 };
         receiver.Bind(new IPEndPoint(IPAddress.Loopback, 0));
 
-        // All the time: however large the buffer should be, the system may keep the datagrams of three seconds only.
+        // Reads all the time, because a system may give a smaller buffer, which holds the datagrams of three seconds.
         Task<byte[]> datagrams = ReceiveUntilEmptyAsync(receiver);
         using var relay = new ToolProcess(
             "neuron-mocap", "relay", "demo", "tcp://127.0.0.1:0", $"udp://{receiver.LocalEndPoint}", _folder["demo.nmrec"], _folder["demo.bvh"]);

@@ -71,7 +71,7 @@ public sealed class PerformerDataTests : SourceFixture
         MocapSource with = Add(server, source => source.CommandPort = commands.LocalEndPoint!.Port);
         Performer performer = WaitForPose(with);
 
-        // Usually after the first pose. On a slow computer, before it.
+        // The answer usually comes after the first pose, and on a slow computer before it.
         Loop.RunUntil(() => Math.Abs(performer.Body.GetOffset(Bone.LeftLeg).Length() - 60) < 0.01f);
 
         // The pose is shown with a short delay.

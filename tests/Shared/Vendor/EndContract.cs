@@ -8,6 +8,9 @@ public abstract class EndContract
 {
     private protected abstract VendorDriver Start();
 
+    // A driver whose close waits until a running callback ends; null where programs cannot choose this.
+    private protected virtual VendorDriver? StartPatient() => null;
+
     [Fact]
     public async Task A_closed_connection_is_reported_on_another_thread_after_the_last_frame()
     {
@@ -97,13 +100,14 @@ public abstract class EndContract
         Assert.Equal(3, driver.Statuses.Count);
     }
 
-    // Closing waits only briefly for a callback that runs. On a busy computer, such a callback may print its frame after that, in some rounds.
+    // Closing usually waits only briefly for a callback that runs. On a busy computer, such a callback may print its frame after that, in some rounds.
     [Fact]
-    public async Task No_callback_comes_after_closing()
+    public async Task No_callback_begins_after_closing()
     {
         int quiet = 0;
         using var server = new TestServer();
-        await using VendorDriver driver = Start();
+        VendorDriver? patient = StartPatient();
+        await using VendorDriver driver = patient ?? Start();
         for (int i = 0; i < 5; i++)
         {
             (string handle, TestConnection connection) = await driver.ConnectAsync(server);
@@ -118,7 +122,7 @@ public abstract class EndContract
             await sending.Soon();
             await driver.CallAsync("error");
             int late = driver.Frames.Count - count;
-            Assert.InRange(late, 0, 1);
+            Assert.InRange(late, 0, patient is null ? 1 : 0);
             quiet += late == 0 ? 1 : 0;
             connection.Dispose();
         }

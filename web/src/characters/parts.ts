@@ -15,14 +15,18 @@ export class Parts<T> {
     }
   }
 
-  /** The file that an address in the .gltf refers to. Files of any folder are found by their name, because a drop of single files has no folders. */
+  /**
+   * The file that an address in the .gltf refers to. Files of any folder are found by their name, because a drop of single files has no folders. Of several,
+   * this is the one whose last folders are those of the address; of those, the one whose first folders are.
+   */
   find(address: string): T | undefined {
     const wanted = resolve(this._main.slice(0, -1), addressOf(address));
+    const wantedBack = [...wanted].reverse();
     let best: T | undefined;
-    let most = 0;
+    let most = [0, 0];
     for (const { file, path } of this._byName.get(partName(address)) ?? []) {
-      const same = sameAtEnd(path, wanted);
-      if (same > most)
+      const same = [sameAtStart([...path].reverse(), wantedBack), sameAtStart(path, wanted)];
+      if (same[0] > most[0] || (same[0] === most[0] && same[1] > most[1]))
         [best, most] = [file, same];
     }
 
@@ -37,12 +41,16 @@ export function partName(address: string): string {
 }
 
 function addressOf(address: string): string[] {
-  const path = address.split(/[?#]/)[0];
+  // Some programs write slashes as %2F.
+  return segmentsOf(address.split(/[?#]/)[0]).flatMap(segment => segmentsOf(decode(segment)));
+}
+
+function decode(segment: string): string {
   try {
-    return segmentsOf(decodeURIComponent(path));
+    return decodeURIComponent(segment);
   } catch {
     // A name with a plain percent sign.
-    return segmentsOf(path);
+    return segment;
   }
 }
 
@@ -62,9 +70,9 @@ function resolve(folder: readonly string[], address: readonly string[]): string[
   return path;
 }
 
-function sameAtEnd(one: readonly string[], other: readonly string[]): number {
+function sameAtStart(one: readonly string[], other: readonly string[]): number {
   let same = 0;
-  while (same < one.length && same < other.length && one[one.length - 1 - same] === other[other.length - 1 - same])
+  while (same < one.length && same < other.length && one[same] === other[same])
     same++;
   return same;
 }

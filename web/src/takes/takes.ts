@@ -10,6 +10,7 @@ import { TakeSection } from "./takeSection";
 import { Timeline } from "./timeline";
 import { TimeView } from "./timeView";
 import { Transport } from "./transport";
+import { Wishes } from "./wishes";
 
 const AskAgain = 500;
 const NotFound = 404;
@@ -37,8 +38,7 @@ class TakeScreen implements Takes {
   private _readoutAt = 0;
   private _wasPlaying = false;
   private _hasBegun = false;
-  // What is asked for later replaces what is still on its way.
-  private _wishes = 0;
+  private readonly _wishes = new Wishes();
 
   constructor(page: Page) {
     this._page = page;
@@ -87,10 +87,14 @@ class TakeScreen implements Takes {
   }
 
   async open(id: string): Promise<void> {
-    const wish = ++this._wishes;
+    await this._open(id, this._wishes.replace());
+  }
+
+  // Returns false if something else was asked for meanwhile.
+  private async _open(id: string, wish: symbol): Promise<boolean> {
     const info = await this._page.api.get<TakeInfo>(`takes/${encodeURIComponent(id)}`);
-    if (wish !== this._wishes)
-      return;
+    if (!this._wishes.isLast(wish))
+      return false;
 
     this._leave();
     this._current = id;
@@ -108,10 +112,12 @@ class TakeScreen implements Takes {
     } finally {
       void this._watch(player, info, isShown);
     }
+
+    return true;
   }
 
   close(): void {
-    this._wishes++;
+    this._wishes.replace();
     if (this._current === null)
       return;
 
@@ -146,27 +152,20 @@ class TakeScreen implements Takes {
       return;
     }
 
-    const wish = ++this._wishes;
+    // A file that cannot be opened does not replace the one before it.
+    const wish = this._wishes.add();
     const cancel = new AbortController();
     const progress = notices.progress(`Opening ${file.name}`, () => cancel.abort());
     await notices.attempt(async () => {
       const address = `takes?name=${encodeURIComponent(file.name)}`;
       const { id } = await api.upload<{ id: string }>(address, file, part => progress.show(part), cancel.signal).catch(error => {
-        this._takeBack(wish);
+        this._wishes.withdraw(wish);
         throw error;
       });
-      if (wish === this._wishes)
-        await this.open(id);
-      else
+      if (!this._wishes.isLast(wish) || !await this._open(id, wish))
         notices.offer(`${file.name} is ready.`, "Show", () => void notices.attempt(() => this.open(id)));
     });
     progress.end();
-  }
-
-  // A file that cannot be opened does not replace the one before it.
-  private _takeBack(wish: number): void {
-    if (wish === this._wishes)
-      this._wishes--;
   }
 
   // A program that was started again has none of the takes that were open, and may show a file.

@@ -30,6 +30,20 @@ test("of parts with the same name, each character gets the one in its own folder
   assert.deepEqual(found(hero, "C:/work/hero/hair/colour.png"), ["hero/hair/colour.png"]);
 });
 
+test("of folders with the same names, the one that was dropped with the character gives its parts", () => {
+  const find = (main: string, address: string, ...paths: string[]) => new Parts(main, paths, path => path).find(address);
+  assert.equal(find("hero.gltf", "colour.png", "2k/colour.png", "colour.png", "4k/colour.png"), "colour.png");
+  assert.equal(find("hero/hero.gltf", "colour.png", "backup/hero/colour.png", "hero/colour.png", "old/hero/colour.png"), "hero/colour.png");
+  assert.equal(find("hero.gltf", "skin/colour.png", "2k/skin/colour.png", "colour.png"), "2k/skin/colour.png");
+});
+
+test("a percent sign in a folder or a name changes nothing else", () => {
+  const find = (address: string) => new Parts("hero.gltf", ["50% grey/skin a.png", "100%.png"], path => path).find(address);
+  assert.equal(find("50% grey/skin%20a.png"), "50% grey/skin a.png");
+  assert.equal(find("50%25%20grey%2FSkin%20a.png"), "50% grey/skin a.png");
+  assert.equal(find("50% grey/../100%.png"), "100%.png");
+});
+
 test("addresses in a file lead to the dropped files", () => {
   assert.equal(partName("textures/Skin%20a.png?x#y"), "skin a.png");
   assert.equal(partName("..\\Tex\\A.png"), "a.png");

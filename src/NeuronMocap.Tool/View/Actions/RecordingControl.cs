@@ -89,7 +89,7 @@ internal sealed class RecordingControl : IViewPart
             message = RecordingMessage.Of(_takes.Current!);
         }
 
-        _hub.Send(message);
+        _hub.SendCurrent(Describe);
         return message;
     }
 
@@ -113,7 +113,8 @@ internal sealed class RecordingControl : IViewPart
         if (message.Take is { } id)
             _hub.Send(new TakeMessage(id));
 
-        Report(); // Another recording may have started meanwhile.
+        // Another recording may have started meanwhile.
+        Report();
         return message;
     }
 
@@ -140,7 +141,7 @@ internal sealed class RecordingControl : IViewPart
             return;
 
         _hub.Send(new ProblemMessage(failure.Text));
-        _hub.Send(RecordingMessage.None);
+        _hub.SendCurrent(Describe);
     }
 
     private sealed record RequestJson(string? Action);

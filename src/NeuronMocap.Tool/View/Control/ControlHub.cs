@@ -49,7 +49,7 @@ internal sealed class ControlHub(Func<IReadOnlyList<object>> greeting) : IViewPa
     /// <summary>Sends a message to every page. A page that does not read is disconnected.</summary>
     public void Send(object message) => SendCurrent(() => message);
 
-    /// <summary>Sends what is true now to every page: no message about what comes later is before it.</summary>
+    /// <summary>Makes and sends a message under the lock, so that no newer one is sent before it.</summary>
     /// <param name="describe">Makes the message, or null for none. Must not wait for a thread that sends.</param>
     public void SendCurrent(Func<object?> describe)
     {

@@ -1,0 +1,27 @@
+/** Knows what was asked for last, while uploads and answers are on their way. */
+export class Wishes {
+  private _wishes: symbol[] = [];
+
+  /** A wish that replaces all before it. */
+  replace(): symbol {
+    const wish = Symbol();
+    this._wishes = [wish];
+    return wish;
+  }
+
+  /** A wish that replaces those before it, unless it is withdrawn. */
+  add(): symbol {
+    const wish = Symbol();
+    this._wishes.push(wish);
+    return wish;
+  }
+
+  /** Makes a wish count as one that never was. */
+  withdraw(wish: symbol): void {
+    this._wishes = this._wishes.filter(other => other !== wish);
+  }
+
+  isLast(wish: symbol): boolean {
+    return this._wishes[this._wishes.length - 1] === wish;
+  }
+}
