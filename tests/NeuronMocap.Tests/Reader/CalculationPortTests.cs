@@ -1,6 +1,5 @@
 using System.Net;
 using System.Net.Sockets;
-using NeuronMocap.Reader;
 using NeuronMocap.Recording;
 using NeuronMocap.Server;
 using NeuronMocap.Skeleton;
@@ -106,21 +105,6 @@ public sealed class CalculationPortTests : IDisposable
         using TestConnection last = await _calculation.AcceptAsync();
         await Limits.UntilAsync(() => reader.CalculationStatus is { State: ConnectionState.Connected });
         Assert.Equal(2, commands.Requests);
-    }
-
-    [Fact]
-    public void A_normal_stop_is_not_reported_as_missing_calculation()
-    {
-        List<ConnectionStatus> told = [];
-        var joint = new CombinedStatus(told.Add, 7003);
-        var receiving = new ConnectionStatus(ConnectionState.Receiving, ConnectionReason.None, "Receiving.");
-        var stopped = new ConnectionStatus(ConnectionState.Stopped, ConnectionReason.Requested, "Stopped by the caller.");
-        joint.OnFirst(receiving);
-        joint.OnCalculation(receiving);
-        joint.OnCalculation(stopped);
-        joint.OnFirst(stopped);
-        Assert.DoesNotContain(told, static status => status.Reason == ConnectionReason.CalculationUnavailable);
-        Assert.Equal(ConnectionState.Stopped, told[^1].State);
     }
 
     [Fact]

@@ -4,26 +4,16 @@ namespace NeuronMocap.Tests.Reader;
 
 public sealed class StartTimeoutTests
 {
-    private static readonly TimeSpan Short = TimeSpan.FromSeconds(10);
-
+    // On a busy computer, the first attempt may not end in a short time.
     [Fact]
     public async Task A_refusal_ends_the_wait_with_its_reason_and_the_reader_continues()
     {
         using var nobody = new RefusingPort();
-        await using var reader = new NeuronReader(new NeuronReaderOptions
-        {
-            Port = nobody.Number,
-            Reconnect = { InitialDelay = TimeSpan.FromMilliseconds(10), MaxDelay = TimeSpan.FromMilliseconds(10) },
-        });
-        NeuronConnectionException exception = await FailAsync(reader, Short);
+        ConnectionReason reason = ConnectionReason.None;
+        for (int seconds = 1; reason != ConnectionReason.Refused && seconds <= 16; seconds *= 4)
+            reason = await RefuseAsync(nobody.Number, seconds);
 
-        Assert.Equal(ConnectionReason.Refused, exception.Reason);
-        Assert.Equal(ConnectionReason.Refused, exception.LastStatus?.Reason);
-        Assert.Contains("no connection within 10 s", exception.Message, StringComparison.Ordinal);
-        Assert.Contains("refused the connection", exception.Message, StringComparison.Ordinal);
-        Assert.Contains("check that the port is the same", exception.Message, StringComparison.Ordinal);
-        Assert.NotEqual(ConnectionState.Stopped, reader.Status.State);
-        Assert.False(reader.Completion.IsCompleted);
+        Assert.Equal(ConnectionReason.Refused, reason);
     }
 
     [Fact]
@@ -31,7 +21,7 @@ public sealed class StartTimeoutTests
     {
         using var blackHole = new BlackHole();
         await using var reader = new NeuronReader(new NeuronReaderOptions { Port = blackHole.Port, ConnectTimeout = Limits.Unexpected });
-        NeuronConnectionException exception = await FailAsync(reader, Short);
+        NeuronConnectionException exception = await FailAsync(reader, TimeSpan.FromSeconds(4));
         Assert.Equal(ConnectionReason.TimedOut, exception.Reason);
         Assert.Contains($"127.0.0.1:{blackHole.Port}", exception.Message, StringComparison.Ordinal);
         Assert.Contains("check Host and Port", exception.Message, StringComparison.Ordinal);
@@ -67,6 +57,26 @@ public sealed class StartTimeoutTests
         using var reader = new NeuronReader("127.0.0.1");
         await Assert.ThrowsAsync<ArgumentOutOfRangeException>(() => reader.StartAsync(TimeSpan.FromSeconds(seconds)));
         Assert.Equal(ConnectionState.Created, reader.Status.State);
+    }
+
+    private static async Task<ConnectionReason> RefuseAsync(int port, int seconds)
+    {
+        await using var reader = new NeuronReader(new NeuronReaderOptions
+        {
+            Port = port,
+            Reconnect = { InitialDelay = TimeSpan.FromMilliseconds(10), MaxDelay = TimeSpan.FromMilliseconds(10) },
+        });
+        NeuronConnectionException exception = await FailAsync(reader, TimeSpan.FromSeconds(seconds));
+        if (exception.Reason != ConnectionReason.Refused)
+            return exception.Reason;
+
+        Assert.Equal(ConnectionReason.Refused, exception.LastStatus?.Reason);
+        Assert.Contains($"no connection within {seconds} s", exception.Message, StringComparison.Ordinal);
+        Assert.Contains("refused the connection", exception.Message, StringComparison.Ordinal);
+        Assert.Contains("check that the port is the same", exception.Message, StringComparison.Ordinal);
+        Assert.NotEqual(ConnectionState.Stopped, reader.Status.State);
+        Assert.False(reader.Completion.IsCompleted);
+        return exception.Reason;
     }
 
     private static async Task<NeuronConnectionException> FailAsync(NeuronReader reader, TimeSpan timeout) =>
