@@ -1,9 +1,11 @@
 using System.Net;
 using System.Net.Sockets;
+using NeuronMocap.RabbitMq.Connecting;
 using NeuronMocap.RabbitMq.Tests.Infrastructure;
 using NeuronMocap.Tests.Network;
 using NeuronMocap.Tests.RabbitMq;
 using RabbitMQ.Client;
+using RabbitMQ.Client.Exceptions;
 
 namespace NeuronMocap.RabbitMq.Tests;
 
@@ -46,6 +48,15 @@ public sealed class RefusalTests(SharedBroker shared)
         Assert.Equal(new RabbitMqPublisherStatus(IsConnected: false, sentence), publisher.Status);
         Assert.DoesNotContain(Secret, one + publish.ToString() + other + receive + new RabbitMqSource(receive).Name);
         await publisher.Completion.Soon();
+    }
+
+    // The client can notice the same silence a little earlier.
+    [Fact]
+    public void A_timeout_of_the_client_is_a_timeout_too()
+    {
+        var exception = new BrokerUnreachableException(new AggregateException(new TimeoutException("The operation has timed out.")));
+
+        Assert.Equal(ConnectionReason.TimedOut, BrokerFault.Of(exception, new RabbitMqSourceOptions()).Reason);
     }
 
     [Fact]

@@ -58,7 +58,7 @@ internal static class RateExamination
             : Fraction(avatar.FrameRate) is { } fraction ? $"the server seems to send {fraction}" : "a suit measures 60, 96 or 120 times a second";
         return new ExplainedVerdict(
             DiagnosisVerdict.LowRate,
-            StreamPhrases.Invariant($"{avatar.FrameRate:0.0} frames per second is too few: {reason}."),
+            FormattableString.Invariant($"{avatar.FrameRate:0.0} frames per second is too few: {reason}."),
             ServerSettings.FullRate);
     }
 
@@ -84,6 +84,6 @@ internal static class RateExamination
 
         long lost = avatars.Sum(static avatar => avatar.Lost);
         double pause = avatars.Max(static avatar => avatar.LongestGap.TotalMilliseconds);
-        return StreamPhrases.Invariant($"{slowest.FrameRate:0.0} Hz, {(lost > 0 ? $"{lost} frames lost" : "none lost")}, longest pause {pause:0} ms");
+        return FormattableString.Invariant($"{slowest.FrameRate:0.0} Hz, {(lost > 0 ? $"{lost} frames lost" : "none lost")}, longest pause {pause:0} ms");
     }
 }

@@ -1,5 +1,3 @@
-using System.Globalization;
-
 namespace NeuronMocap.Diagnostics;
 
 // Describes a stream in words.
@@ -11,7 +9,7 @@ internal static class StreamPhrases
     {
         AvatarSample first = avatars[0];
         double rate = avatars.Min(static avatar => avatar.FrameRate);
-        string frequency = rate > 0 ? Invariant($", {rate:0.0} frames per second{(avatars.Length > 1 ? " of each" : string.Empty)}") : string.Empty;
+        string frequency = rate > 0 ? FormattableString.Invariant($", {rate:0.0} frames per second{(avatars.Length > 1 ? " of each" : string.Empty)}") : string.Empty;
         string version = first.Version == DataVersion.None ? "as text" : $"version {first.Version}";
         return $"{NameOf(first.Kind)}, {version}, {DescribeFormat(first)}; {DescribeAvatars(avatars)}{frequency}";
     }
@@ -48,8 +46,6 @@ internal static class StreamPhrases
         PacketKind.Calculation => "calculation",
         _ => "Axis Studio's calculation",
     };
-
-    public static string Invariant(FormattableString text) => text.ToString(CultureInfo.InvariantCulture);
 
     private static string OnOff(bool value) => value ? "on" : "off";
 }

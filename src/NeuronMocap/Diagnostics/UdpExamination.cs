@@ -51,7 +51,7 @@ internal sealed class UdpExamination(DiagnosisContext context, IReadOnlyList<IPA
     private Conclusion NotAllowed(SenderFilter filter, StreamEndpoint endpoint)
     {
         string senders = string.Join(", ", filter.RefusedSenders);
-        context.Log.Failed("first bytes", StreamPhrases.Invariant($"none from an allowed sender: {filter.RefusedDatagrams} datagrams from {senders}"));
+        context.Log.Failed("first bytes", FormattableString.Invariant($"none from an allowed sender: {filter.RefusedDatagrams} datagrams from {senders}"));
         return new Conclusion(
             DiagnosisVerdict.SenderNotAllowed,
             $"Datagrams arrive on {endpoint}, but only from {senders}, which AllowedSenders does not list.",

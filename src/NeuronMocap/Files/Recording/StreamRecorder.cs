@@ -1,7 +1,7 @@
-using System.Globalization;
 using NeuronMocap.Files;
 using NeuronMocap.Protocol;
 using NeuronMocap.Transport;
+using static System.FormattableString;
 
 namespace NeuronMocap.Recording;
 
@@ -165,7 +165,7 @@ public sealed class StreamRecorder : IStreamListener, IFileOutput, IDisposable, 
     string IFileOutput.DescribeLoss(long count)
     {
         RecordingStatistics statistics = GetStatistics();
-        return Text($"The recording lost {Number(count, "piece")} because {Path} could not be written fast enough; {statistics.LostPieces} in total, {Number(statistics.LostBytes, "byte")}.");
+        return Invariant($"The recording lost {Number(count, "piece")} because {Path} could not be written fast enough; {statistics.LostPieces} in total, {Number(statistics.LostBytes, "byte")}.");
     }
 
     string IFileOutput.DescribeUndeleted() =>
@@ -175,8 +175,8 @@ public sealed class StreamRecorder : IStreamListener, IFileOutput, IDisposable, 
     {
         RecordingStatistics statistics = GetStatistics();
         return _failure is { } failure
-            ? Text($"The recording to {CurrentPath} failed: {failure.Message.TrimEnd('.')}. It holds {Number(statistics.Bytes, "byte")}; {Number(statistics.LostPieces, "piece")} could not be written.")
-            : Text($"Recorded {Number(statistics.Bytes, "byte")} in {statistics.Duration.TotalSeconds:0.0} s to {CurrentPath}.");
+            ? Invariant($"The recording to {CurrentPath} failed: {failure.Message.TrimEnd('.')}. It holds {Number(statistics.Bytes, "byte")}; {Number(statistics.LostPieces, "piece")} could not be written.")
+            : Invariant($"Recorded {Number(statistics.Bytes, "byte")} in {statistics.Duration.TotalSeconds:0.0} s to {CurrentPath}.");
     }
 
     internal void SetMetadata(string key, string value) => _thread.SetMetadata(key, value);
@@ -225,9 +225,7 @@ public sealed class StreamRecorder : IStreamListener, IFileOutput, IDisposable, 
         return null;
     }
 
-    private static string Number(long count, string noun) => count == 1 ? $"1 {noun}" : Text($"{count} {noun}s");
-
-    private static string Text(FormattableString text) => text.ToString(CultureInfo.InvariantCulture);
+    private static string Number(long count, string noun) => count == 1 ? $"1 {noun}" : Invariant($"{count} {noun}s");
 
     private void Run()
     {

@@ -1,6 +1,6 @@
-using System.Globalization;
 using NeuronMocap.Files;
 using NeuronMocap.Transport;
+using static System.FormattableString;
 
 namespace NeuronMocap.Bvh;
 
@@ -117,13 +117,13 @@ public sealed class BvhExport : IFileOutput, IDisposable, IAsyncDisposable
     string IFileOutput.DescribeStart() => $"Exporting BVH to {Path}.";
 
     string IFileOutput.DescribeLoss(long count) =>
-        Text($"The export to {Path} dropped {Number(count, "frame")} because the disk is too slow; {FramesDropped} in total.");
+        Invariant($"The export to {Path} dropped {Number(count, "frame")} because the disk is too slow; {FramesDropped} in total.");
 
     string IFileOutput.DescribeUndeleted() => string.Empty;
 
     string IFileOutput.DescribeEnd() => Failure is { } failure
-        ? Text($"The export to {Path} failed: {failure.Message.TrimEnd('.')}. It holds {Number(FramesWritten, "frame")}; {Number(FramesDropped, "frame")} could not be written.")
-        : Text($"Exported {Number(FramesWritten, "frame")} to {(Files is [var only] ? only.Path : Text($"{Files.Count} files, named after {Path}"))}.");
+        ? Invariant($"The export to {Path} failed: {failure.Message.TrimEnd('.')}. It holds {Number(FramesWritten, "frame")}; {Number(FramesDropped, "frame")} could not be written.")
+        : Invariant($"Exported {Number(FramesWritten, "frame")} to {(Files is [var only] ? only.Path : Invariant($"{Files.Count} files, named after {Path}"))}.");
 
     private void Stop()
     {
@@ -131,9 +131,7 @@ public sealed class BvhExport : IFileOutput, IDisposable, IAsyncDisposable
         _stop.Set();
     }
 
-    private static string Number(long count, string noun) => count == 1 ? $"1 {noun}" : Text($"{count} {noun}s");
-
-    private static string Text(FormattableString text) => text.ToString(CultureInfo.InvariantCulture);
+    private static string Number(long count, string noun) => count == 1 ? $"1 {noun}" : Invariant($"{count} {noun}s");
 
     private void Run()
     {

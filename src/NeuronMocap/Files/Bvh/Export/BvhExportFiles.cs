@@ -1,6 +1,6 @@
-using System.Globalization;
 using NeuronMocap.Files;
 using NeuronMocap.Skeleton;
+using static System.FormattableString;
 
 namespace NeuronMocap.Bvh;
 
@@ -238,8 +238,6 @@ internal sealed class BvhExportFiles
             ? _path
             : Path.Combine(Path.GetDirectoryName(_path) ?? "", Path.GetFileNameWithoutExtension(_path) + suffix + Path.GetExtension(_path));
     }
-
-    private static string Invariant(FormattableString text) => text.ToString(CultureInfo.InvariantCulture);
 
     private sealed class Take(BvhTakeWriter writer, string path, int part, int avatarIndex, string avatarName, BvhBodyOrigin bodySource)
     {
