@@ -4,7 +4,7 @@ namespace NeuronMocap.Tool.Tests.View;
 
 public sealed class ScratchFolderTests
 {
-    // Other tests start programs, which look at the same folders. A folder without the file "used" is too new for them.
+    // Other tests start programs, which look at the same folders. A folder is too new for them until its file "used" is old.
     [Fact]
     public async Task A_folder_of_a_program_that_was_killed_goes_with_the_next_start()
     {
@@ -13,7 +13,7 @@ public sealed class ScratchFolderTests
         DirectoryInfo files = killed.CreateSubdirectory("files");
         File.WriteAllText(Path.Combine(files.FullName, ScratchFolder.NewName()), "a take");
         File.WriteAllText(Path.Combine(files.FullName, ScratchFolder.NewName() + ".glb"), "a download");
-        File.WriteAllText(Path.Combine(killed.FullName, "used"), string.Empty);
+        MarkAsOld(killed);
 
         using var first = new ScratchFolder(1000);
         await Limits.UntilAsync(() => !Directory.Exists(killed.FullName));
@@ -32,7 +32,7 @@ public sealed class ScratchFolderTests
         {
             string file = Path.Combine(other.CreateSubdirectory("files").FullName, "notes.txt");
             File.WriteAllText(file, "not of this program");
-            File.WriteAllText(Path.Combine(other.FullName, "used"), string.Empty);
+            MarkAsOld(other);
 
             using var scratch = new ScratchFolder(1000);
 
@@ -41,6 +41,25 @@ public sealed class ScratchFolderTests
         finally
         {
             other.Delete(recursive: true);
+        }
+    }
+
+    // A program that starts at the same instant has made its file and has not locked it yet.
+    [Fact]
+    public void A_folder_of_a_program_that_starts_stays()
+    {
+        DirectoryInfo starting = Directory.CreateTempSubdirectory("neuron-mocap-view-");
+        try
+        {
+            File.WriteAllText(Path.Combine(starting.FullName, "used"), string.Empty);
+
+            using var scratch = new ScratchFolder(1000);
+
+            Assert.True(Directory.Exists(starting.FullName));
+        }
+        finally
+        {
+            starting.Delete(recursive: true);
         }
     }
 
@@ -56,5 +75,12 @@ public sealed class ScratchFolderTests
 
         Assert.False(Directory.Exists(path));
         Assert.False(Directory.Exists(Path.GetDirectoryName(path)));
+    }
+
+    private static void MarkAsOld(DirectoryInfo folder)
+    {
+        string mark = Path.Combine(folder.FullName, "used");
+        File.WriteAllText(mark, string.Empty);
+        File.SetLastWriteTimeUtc(mark, DateTime.UtcNow.AddHours(-1));
     }
 }

@@ -11,6 +11,9 @@ internal sealed class ScratchLease : IDisposable
     // Another program has just made a folder without a lock, or an older version of this program has.
     private static readonly TimeSpan UnlockedAge = TimeSpan.FromDays(1);
 
+    // Another program has just made the file that it locks in the next moment.
+    private static readonly TimeSpan LockAge = TimeSpan.FromMinutes(1);
+
     private readonly DirectoryInfo _folder;
     private readonly FileStream _lock;
 
@@ -76,6 +79,8 @@ internal sealed class ScratchLease : IDisposable
         var mark = new FileInfo(System.IO.Path.Combine(folder.FullName, LockName));
         if (!mark.Exists)
             return DateTime.UtcNow - folder.LastWriteTimeUtc > UnlockedAge;
+        if (DateTime.UtcNow - mark.LastWriteTimeUtc < LockAge)
+            return false;
 
         using FileStream free = mark.Open(FileMode.Open, FileAccess.Write, FileShare.None);
         return true;
