@@ -50,13 +50,16 @@ public sealed class RefusalTests(SharedBroker shared)
         await publisher.Completion.Soon();
     }
 
-    // The client can notice the same silence a little earlier.
+    // The client has limits of its own.
     [Fact]
-    public void A_timeout_of_the_client_is_a_timeout_too()
+    public void A_timeout_of_the_client_is_a_timeout_unless_a_reason_is_known()
     {
-        var exception = new BrokerUnreachableException(new AggregateException(new TimeoutException("The operation has timed out.")));
+        var options = new RabbitMqSourceOptions();
+        var late = new BrokerUnreachableException(new AggregateException(new TimeoutException("The operation has timed out.")));
+        var refused = new BrokerUnreachableException(new TimeoutException("Late.", new SocketException((int)SocketError.ConnectionRefused)));
 
-        Assert.Equal(ConnectionReason.TimedOut, BrokerFault.Of(exception, new RabbitMqSourceOptions()).Reason);
+        Assert.Equal(BrokerFault.TimedOut(options).Message, BrokerFault.Of(late, options).Message);
+        Assert.Equal(ConnectionReason.Refused, BrokerFault.Of(refused, options).Reason);
     }
 
     [Fact]

@@ -222,7 +222,7 @@ public sealed class BroadcasterReaderDirectTests
         reader.Tap.Open(isDatagrams: false, local: null, remote: null, 0);
         byte[] piece = [.. Enumerable.Range(0, Batch).SelectMany(static index => TestPackets.Motion(index))];
 
-        // The connection and the queue together hold less. The client times out later.
+        // These pieces are more than the connection and the queue hold. The client times out only later.
         for (int i = 0; i < 64; i++)
             reader.Tap.OnBytes(0, [], piece, 1);
 

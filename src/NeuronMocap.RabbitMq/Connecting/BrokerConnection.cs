@@ -67,8 +67,9 @@ internal sealed class BrokerConnection
             AutomaticRecoveryEnabled = false,
             TopologyRecoveryEnabled = false,
             RequestedHeartbeat = Heartbeat,
-            RequestedConnectionTimeout = options.ConnectTimeout,
-            HandshakeContinuationTimeout = options.ConnectTimeout,
+            // The caller of this method ends the attempt in time. The client itself says less about the reason.
+            RequestedConnectionTimeout = options.ConnectTimeout + options.ConnectTimeout,
+            HandshakeContinuationTimeout = options.ConnectTimeout + options.ConnectTimeout,
             ContinuationTimeout = options.ConnectTimeout,
             ClientProvidedName = name,
             SocketFactory = family =>

@@ -34,10 +34,11 @@ internal static class BrokerFault
                     return Of(socket, options);
                 case MalformedFrameException or PacketNotRecognizedException or EndOfStreamException:
                     return NoBroker(broker);
-                case OperationCanceledException or TimeoutException:
-                    return TimedOut(options);
             }
         }
+
+        if (Causes(exception).Any(static cause => cause is OperationCanceledException or TimeoutException))
+            return TimedOut(options);
 
         // The client reports bytes that are not of its protocol, and no answer, as the same exception of input and output.
         return exception is BrokerUnreachableException { InnerException: IOException }

@@ -207,6 +207,7 @@ public sealed class NeuronCommandClient : IDisposable, IAsyncDisposable
         {
             _working = DedicatedThread.RunAsync("NeuronMocap commands", Work);
             _isWorking = true;
+            _isConnecting = _connection is null;
         }
         catch (OutOfMemoryException exception)
         {
@@ -275,7 +276,8 @@ public sealed class NeuronCommandClient : IDisposable, IAsyncDisposable
         {
             request = _queue.First?.Value;
             _current = request;
-            _isWorking = _isConnecting = request is not null;
+            _isWorking = request is not null;
+            _isConnecting = request is not null && _connection?.CanAsk(request.Id) != true;
             if (request is not null)
                 _queue.RemoveFirst();
 

@@ -40,6 +40,9 @@ internal sealed class LinkActivity(
     private long _periodStart;
     private bool _isRefusing;
 
+    // Timer: the reason that the message of the silence explains.
+    private SkipReason _explained;
+
     public bool HasPackets => _hasPackets;
 
     // Whether the stream is silent, and checks find nothing until bytes arrive.
@@ -126,8 +129,8 @@ internal sealed class LinkActivity(
     {
         int length = _skippedLength;
 
-        // These reasons say more than an earlier one, such as that for the rest of a line.
-        if (length == 0 || reason is SkipReason.AmbiguousName or SkipReason.MissingAvatar)
+        // These reasons say more than an earlier one, such as that for the rest of a line. The first of them stays, so that the message does not alternate.
+        if (length == 0 || (IsExact(reason) && !IsExact(_skipReason)))
             _skipReason = reason;
 
         bytes = bytes[..Math.Min(bytes.Length, _skipped.Length - length)];
@@ -173,14 +176,20 @@ internal sealed class LinkActivity(
 
         // Every further check of a long silence comes here, so the message is made only once.
         ConnectionReason reason = FindReason();
-        if (status.Current is { State: ConnectionState.Silent } silent && silent.Reason == reason)
+        SkipReason skipped = reason == ConnectionReason.UnknownFormat ? _skipReason : default;
+        bool isNew = skipped != _explained;
+        if (status.Current is { State: ConnectionState.Silent } silent && silent.Reason == reason && !isNew)
             return;
 
         string message = ExplainSilence(reason);
-        status.TrySet(
-            current => current.IsConnected && (current.State != ConnectionState.Silent || current.Reason != reason),
+        bool isSet = status.TrySet(
+            current => current.IsConnected && (current.State != ConnectionState.Silent || current.Reason != reason || isNew),
             current => current with { State = ConnectionState.Silent, Reason = reason, Message = message, Timestamp = now });
+        if (isSet)
+            _explained = skipped;
     }
+
+    private static bool IsExact(SkipReason reason) => reason is SkipReason.AmbiguousName or SkipReason.MissingAvatar;
 
     private bool HasEnded(long start, long now) => (now - start) / (double)Stopwatch.Frequency >= silence.TotalSeconds;
 

@@ -4,6 +4,7 @@ using System.Runtime.InteropServices;
 using System.Text;
 using System.Threading.Channels;
 using NeuronDataReaderWraper;
+using NeuronMocap.Compatibility.Sockets;
 using NeuronMocap.Tests.Vendor;
 
 namespace NeuronMocap.Compatibility.Tests.Infrastructure;
@@ -53,8 +54,8 @@ internal sealed class ManagedDriver : VendorDriver
 
     public override async ValueTask DisposeAsync()
     {
-        await StopAsync();
         VendorSocket.CloseTimeout = UsualPatience;
+        await StopAsync();
         foreach (IntPtr handle in _handles)
             NeuronDataReader.BRCloseSocket(handle);
 

@@ -219,7 +219,6 @@ public class CommandClientTests
             asked.Release();
             await answers.WaitAsync();
             await request.ReplyAsync(ZXY);
-            request.Connection.Close();
         });
         using var client = new NeuronCommandClient(new NeuronCommandOptions { Host = "suit-pc", Port = server.Port, Timeout = Limits.Unexpected, ConnectTimeout = Limits.Unexpected })
         {
@@ -230,6 +229,8 @@ public class CommandClientTests
             },
         };
         Assert.False(client.IsConnecting);
+
+        // A connection carries each command once.
         for (int connection = 1; connection <= 2; connection++)
         {
             Task<RotationOrder> call = client.GetRotationOrderAsync();
@@ -245,23 +246,25 @@ public class CommandClientTests
     }
 
     [Fact]
-    public async Task A_queued_call_waits_for_the_connection_of_the_one_before_it()
+    public async Task A_call_that_got_no_connection_counts_as_connecting_until_the_next()
     {
-        using var end = new ManualResetEventSlim();
+        using var ends = new SemaphoreSlim(0);
         using var client = new NeuronCommandClient(new NeuronCommandOptions { Host = "suit-pc", ConnectTimeout = Limits.Unexpected })
         {
             Resolve = _ =>
             {
-                end.Wait();
+                ends.Wait();
                 throw new SocketException((int)SocketError.HostNotFound);
             },
         };
         Task[] calls = [client.ZeroOutAllAsync(), client.ZeroOutAllAsync()];
         await Limits.UntilAsync(() => client.IsConnecting);
-        end.Set();
-        foreach (Task call in calls)
-            await FailsAsync(call, CommandFailure.HostNotFound, "suit-pc");
+        ends.Release();
+        await FailsAsync(calls[0], CommandFailure.HostNotFound, "suit-pc");
+        Assert.True(client.IsConnecting);
 
+        ends.Release();
+        await FailsAsync(calls[1], CommandFailure.HostNotFound, "suit-pc");
         await Limits.UntilAsync(() => !client.IsConnecting);
     }
 

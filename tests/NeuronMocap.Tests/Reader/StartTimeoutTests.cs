@@ -4,7 +4,7 @@ namespace NeuronMocap.Tests.Reader;
 
 public sealed class StartTimeoutTests
 {
-    // On a busy computer, the first attempt may not end in a short time.
+    // Each attempt waits longer, because on a busy computer a connection may not be refused within a second.
     [Fact]
     public async Task A_refusal_ends_the_wait_with_its_reason_and_the_reader_continues()
     {

@@ -212,7 +212,6 @@ public sealed class StreamFormatTests
     {
         using var server = new TestServer();
         NeuronReaderOptions options = server.Options();
-
         options.SilenceTimeout = TimeSpan.FromSeconds(0.1);
         await using var reader = new NeuronReader(options);
         var log = new StatusLog(reader);
@@ -223,7 +222,6 @@ public sealed class StreamFormatTests
         // On a busy machine, the connection may be silent before the line arrives, and between the rest and the line.
         ConnectionStatus status = await log.WaitAsync(static status =>
             status is { State: ConnectionState.Silent, Reason: ConnectionReason.UnknownFormat } && status.Message.Contains("spaces and numbers", StringComparison.Ordinal));
-        Assert.Contains("the avatar's name has spaces and numbers", status.Message, StringComparison.Ordinal);
         Assert.Contains("Rename the avatar", status.Message, StringComparison.Ordinal);
     }
 

@@ -63,6 +63,24 @@ public sealed class LinkActivityTests
         Assert.Contains(expected, _told[^1].Message, StringComparison.Ordinal);
     }
 
+    // The line comes after the rest of another one, which is explained first.
+    [Fact]
+    public void A_reason_that_says_more_replaces_the_message_of_a_silence_once()
+    {
+        byte[] line = "0 Char 02 1.0 2.0 ||"u8.ToArray();
+        _activity.OnSkipped("12.50 ||"u8, SkipReason.MalformedLine);
+        _activity.Check(After(4));
+        for (int i = 0; i < 3; i++)
+        {
+            _activity.OnSkipped(line, i == 1 ? SkipReason.MissingAvatar : SkipReason.AmbiguousName);
+            _activity.Check(After(5 + i));
+        }
+
+        Assert.Equal([ConnectionState.Connected, ConnectionState.Silent, ConnectionState.Silent], _told.Select(status => status.State));
+        Assert.DoesNotContain("spaces and numbers", _told[1].Message, StringComparison.Ordinal);
+        Assert.Contains("spaces and numbers", _told[2].Message, StringComparison.Ordinal);
+    }
+
     [Fact]
     public void An_unknown_version_is_named()
     {

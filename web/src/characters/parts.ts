@@ -16,18 +16,18 @@ export class Parts<T> {
   }
 
   /**
-   * The file that an address in the .gltf refers to. Files of any folder are found by their name, because a drop of single files has no folders. Of several,
-   * this is the one whose last folders are those of the address; of those, the one whose first folders are.
+   * The file that an address in the .gltf refers to. A drop of single files has no folders, so files are found by their name. Of several, it is the one whose
+   * path ends most like the address. Of equal ones, it is the one whose path begins most like it.
    */
   find(address: string): T | undefined {
     const wanted = resolve(this._main.slice(0, -1), addressOf(address));
     const wantedBack = [...wanted].reverse();
     let best: T | undefined;
-    let most = [0, 0];
+    let [mostAtEnd, mostAtStart] = [0, 0];
     for (const { file, path } of this._byName.get(partName(address)) ?? []) {
-      const same = [sameAtStart([...path].reverse(), wantedBack), sameAtStart(path, wanted)];
-      if (same[0] > most[0] || (same[0] === most[0] && same[1] > most[1]))
-        [best, most] = [file, same];
+      const [atEnd, atStart] = [sameAtStart([...path].reverse(), wantedBack), sameAtStart(path, wanted)];
+      if (atEnd > mostAtEnd || (atEnd === mostAtEnd && atStart > mostAtStart))
+        [best, mostAtEnd, mostAtStart] = [file, atEnd, atStart];
     }
 
     return best;

@@ -87,15 +87,22 @@ class TakeScreen implements Takes {
   }
 
   async open(id: string): Promise<void> {
-    await this._open(id, this._wishes.replace());
+    const wish = this._wishes.replace();
+
+    // Also while a file that was dropped later is still on its way.
+    await this._open(id, wish, () => this._wishes.has(wish));
   }
 
-  // Returns false if something else was asked for meanwhile.
-  private async _open(id: string, wish: symbol): Promise<boolean> {
-    const info = await this._page.api.get<TakeInfo>(`takes/${encodeURIComponent(id)}`);
-    if (!this._wishes.isLast(wish))
+  // Returns false if another take was shown or asked for meanwhile.
+  private async _open(id: string, wish: symbol, isWanted: () => boolean): Promise<boolean> {
+    const info = await this._page.api.get<TakeInfo>(`takes/${encodeURIComponent(id)}`).catch(error => {
+      this._wishes.withdraw(wish);
+      throw error;
+    });
+    if (!isWanted())
       return false;
 
+    this._wishes.fulfil(wish);
     this._leave();
     this._current = id;
     this._page.feed.pause();
@@ -162,7 +169,8 @@ class TakeScreen implements Takes {
         this._wishes.withdraw(wish);
         throw error;
       });
-      if (!this._wishes.isLast(wish) || !await this._open(id, wish))
+      const isLast = () => this._wishes.isLast(wish);
+      if (!isLast() || !await this._open(id, wish, isLast))
         notices.offer(`${file.name} is ready.`, "Show", () => void notices.attempt(() => this.open(id)));
     });
     progress.end();

@@ -16,9 +16,19 @@ export class Wishes {
     return wish;
   }
 
-  /** Makes a wish count as one that never was. */
+  /** Forgets a wish, as if it had never been made. */
   withdraw(wish: symbol): void {
     this._wishes = this._wishes.filter(other => other !== wish);
+  }
+
+  /** Forgets a wish that came true, and those before it. */
+  fulfil(wish: symbol): void {
+    this._wishes = this._wishes.slice(this._wishes.indexOf(wish) + 1);
+  }
+
+  /** Whether a wish has been neither replaced nor forgotten. */
+  has(wish: symbol): boolean {
+    return this._wishes.includes(wish);
   }
 
   isLast(wish: symbol): boolean {

@@ -29,3 +29,15 @@ test("a wish that was replaced does not come back", () => {
   wishes.withdraw(other);
   assert.equal(wishes.isLast(upload), false);
 });
+
+test("a wish that comes true ends those before it and none after it", () => {
+  const wishes = new Wishes();
+  const first = wishes.replace();
+  const [second, third] = [wishes.add(), wishes.add()];
+  wishes.fulfil(second);
+  assert.deepEqual([first, second, third].map(wish => wishes.has(wish)), [false, false, true]);
+  assert.equal(wishes.isLast(third), true);
+
+  wishes.fulfil(third);
+  assert.equal(wishes.isLast(third), false);
+});

@@ -19,7 +19,10 @@ internal sealed class RecordingControl : IViewPart
     private readonly TakeRecorder _takes;
     private readonly ControlHub _hub;
     private readonly ITakeLibrary? _library;
-    private readonly List<RecordingMessage> _finished = [];
+
+    // The pages are told without the lock, because a start of a recording can wait for a disk and for a thread that sends.
+    private volatile Watch.Recordings.Take? _newest;
+    private volatile RecordingMessage[] _finished = [];
 
     /// <summary>Creates the control, without a recording.</summary>
     /// <param name="reader">The reader to record.</param>
@@ -35,18 +38,10 @@ internal sealed class RecordingControl : IViewPart
     public void Map(IEndpointRouteBuilder endpoints) => endpoints.MapPost("/api/record", HandleAsync);
 
     /// <summary>Describes the running recording, or that there is none.</summary>
-    public RecordingMessage Describe()
-    {
-        lock (_lock)
-            return _takes.Current is { } take ? RecordingMessage.Of(take) : RecordingMessage.None;
-    }
+    public RecordingMessage Describe() => _newest is { IsRecording: true } take ? RecordingMessage.Of(take) : RecordingMessage.None;
 
     /// <summary>Makes the messages for a new page: the finished recordings, then the running one.</summary>
-    public IReadOnlyList<object> Greet()
-    {
-        lock (_lock)
-            return [.. _finished, Describe()];
-    }
+    public IReadOnlyList<object> Greet() => [.. _finished, Describe()];
 
     /// <summary>Tells the pages how the recording grows. Called once a second.</summary>
     public void Report() => _hub.SendCurrent(() => Describe() is { State: RecordingMessage.Recording } message ? message : null);
@@ -86,7 +81,10 @@ internal sealed class RecordingControl : IViewPart
             if (_takes.Begin(DateTime.Now) is { } failure)
                 throw ApiException.Conflict(failure.Text);
 
-            message = RecordingMessage.Of(_takes.Current!);
+            // It can have failed already.
+            Watch.Recordings.Take take = _takes.Takes[^1];
+            _newest = take;
+            message = RecordingMessage.Of(take);
         }
 
         _hub.SendCurrent(Describe);
@@ -107,7 +105,7 @@ internal sealed class RecordingControl : IViewPart
         await closed;
         RecordingMessage message = RecordingMessage.Of(take) with { State = RecordingMessage.Idle, Take = await OpenAsync(take.Recorder) };
         lock (_lock)
-            _finished.Add(message);
+            _finished = [.. _finished, message];
 
         _hub.Send(message);
         if (message.Take is { } id)

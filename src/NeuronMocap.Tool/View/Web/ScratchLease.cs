@@ -1,6 +1,6 @@
 namespace NeuronMocap.Tool.View.Web;
 
-/// <summary>A temporary folder that a locked file marks as used. Folders of programs that were killed are deleted when the next one starts.</summary>
+/// <summary>A temporary folder that a locked file marks as used. A program deletes the folders of those that were killed and had started a minute before it.</summary>
 internal sealed class ScratchLease : IDisposable
 {
     private const string Prefix = "neuron-mocap-view-";
@@ -11,7 +11,7 @@ internal sealed class ScratchLease : IDisposable
     // Another program has just made a folder without a lock, or an older version of this program has.
     private static readonly TimeSpan UnlockedAge = TimeSpan.FromDays(1);
 
-    // Another program has just made the file that it locks in the next moment.
+    // The program of a newer file may not have locked it yet.
     private static readonly TimeSpan LockAge = TimeSpan.FromMinutes(1);
 
     private readonly DirectoryInfo _folder;

@@ -7,16 +7,17 @@ namespace NeuronMocap.Tool.Watch.Recordings;
 /// <param name="framesBefore">Number of frames that had arrived at its start.</param>
 internal sealed class Take(StreamRecorder recorder, long framesBefore)
 {
-    private long? _framesAtEnd;
+    private long _framesAtEnd;
+    private volatile bool _isStopped;
 
     public StreamRecorder Recorder => recorder;
 
-    /// <summary>Whether it is still recording. False after it was stopped or has failed.</summary>
-    public bool IsRecording => _framesAtEnd is null && recorder.Failure is null;
+    /// <summary>Whether it is still recording. False after it was stopped or has failed. Any thread.</summary>
+    public bool IsRecording => !_isStopped && recorder.Failure is null;
 
     /// <summary>Gets the number of frames that arrived during the recording.</summary>
     /// <param name="arrived">Frames that have arrived in the whole run.</param>
-    public long CountFrames(long arrived) => (_framesAtEnd ?? arrived) - framesBefore;
+    public long CountFrames(long arrived) => (_isStopped ? _framesAtEnd : arrived) - framesBefore;
 
     /// <summary>Requests the end of the recording, without waiting for the disk.</summary>
     /// <param name="arrived">Frames that have arrived in the whole run.</param>
@@ -24,7 +25,9 @@ internal sealed class Take(StreamRecorder recorder, long framesBefore)
     public Task StopAsync(long arrived)
     {
         Task closed = recorder.StopAsync(CancellationToken.None);
-        _framesAtEnd ??= arrived;
+        if (!_isStopped)
+            (_framesAtEnd, _isStopped) = (arrived, true);
+
         return closed;
     }
 }
