@@ -22,7 +22,7 @@ public sealed class ControlHubTests
             later.Start();
 
             // The other thread waits now, or has sent its message.
-            Assert.True(SpinWait.SpinUntil(() => (later.ThreadState & (ThreadState.WaitSleepJoin | ThreadState.Stopped)) != 0, Limits.Unexpected));
+            Assert.True(SpinWait.SpinUntil(() => (later.ThreadState & (ThreadState.WaitSleepJoin | ThreadState.Stopped)) != ThreadState.Running, Limits.Unexpected));
             return new ProblemMessage("first");
         });
         later.Join();
