@@ -1,6 +1,7 @@
 import { type VRM, VRMLoaderPlugin, VRMUtils } from "@pixiv/three-vrm";
 import { LoadingManager, Mesh, type Object3D, SkinnedMesh } from "three";
 import { GLTFLoader } from "three/addons/loaders/GLTFLoader.js";
+import { drawEverywhere } from "../scene/bounds";
 import { type CharacterFiles, findObstacle, readJson } from "./files";
 
 const LargestFile = 1024 * 1024 * 1024;
@@ -61,8 +62,7 @@ function prepare(name: string, root: Object3D, vrm: VRM | null): LoadedCharacter
 
     object.castShadow = true;
     object.receiveShadow = true;
-    // The bounds are those of the rest pose, and the character walks away from them.
-    object.frustumCulled = false;
+    drawEverywhere(object);
   });
   return { name, root, vrm };
 }

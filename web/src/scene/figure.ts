@@ -1,5 +1,6 @@
 import { Mesh, type MeshStandardMaterial, type Object3D, SkinnedMesh, Vector3 } from "three";
 import type { Body } from "./body";
+import { drawEverywhere } from "./bounds";
 import type { Pose } from "../live/pose";
 import { makeRigid } from "./rigid";
 
@@ -23,8 +24,7 @@ export class Figure {
 
       node.castShadow = true;
       node.receiveShadow = true;
-      // The bounds are those of the rest pose, and the performer walks away from them.
-      node.frustumCulled = false;
+      drawEverywhere(node);
     });
   }
 

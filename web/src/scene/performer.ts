@@ -32,10 +32,11 @@ export class Performer {
   private _figure: Figure | null = null;
   private _isNew = false;
 
-  constructor(info: PerformerInfo, pictureSize: Vector2) {
+  /** @param isSoftware True if the processor draws. */
+  constructor(info: PerformerInfo, pictureSize: Vector2, isSoftware: boolean) {
     this.info = info;
     this.body = new Body(info);
-    this._sticks = new Sticks(this.body, info.colour);
+    this._sticks = new Sticks(this.body, info.colour, isSoftware);
     this._axes = new JointAxes(this.body);
     this._trails = new Trails(this.body, info.colour, pictureSize);
     this._contacts = new ContactMarks(this.body, info.colour);

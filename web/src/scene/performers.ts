@@ -57,7 +57,7 @@ export class Performers {
     }
 
     known?.dispose();
-    const performer = new Performer(info, this._pictureSize);
+    const performer = new Performer(info, this._pictureSize, this._stage.isSoftware);
     if (known?.hasPose)
       performer.show(known.pose);
     performer.hidden = known?.hidden ?? false;

@@ -1,4 +1,5 @@
-import { BufferGeometry, Mesh, type SkinnedMesh } from "three";
+import { BufferGeometry, type Material, Mesh, type SkinnedMesh } from "three";
+import { withoutGloss } from "./materials";
 
 /**
  * Replaces a skinned mesh by one mesh for each bone. Every vertex must follow a single bone, as those of the jointed figure do. A processor that draws needs
@@ -19,12 +20,16 @@ export function makeRigid(skinned: SkinnedMesh): void {
     list.push(index.getX(i), index.getX(i + 1), index.getX(i + 2));
   }
 
+  // The parts share all corners. Otherwise three.js would measure all of them for each part.
+  geometry.computeBoundingSphere();
+  const simple = withoutGloss(material as Material);
   for (const [bone, list] of corners) {
     const part = new BufferGeometry();
     part.setAttribute("position", geometry.getAttribute("position"));
     part.setAttribute("normal", geometry.getAttribute("normal"));
     part.setIndex(list);
-    const mesh = new Mesh(part, material);
+    part.boundingSphere = geometry.boundingSphere;
+    const mesh = new Mesh(part, simple);
     mesh.matrixAutoUpdate = false;
     mesh.matrix.multiplyMatrices(skeleton.boneInverses[bone], skinned.bindMatrix);
     skeleton.bones[bone].add(mesh);

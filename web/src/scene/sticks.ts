@@ -1,5 +1,6 @@
-import { Color, CylinderGeometry, Group, InstancedMesh, MeshStandardMaterial, SphereGeometry } from "three";
+import { Color, CylinderGeometry, Group, InstancedMesh, type Material, SphereGeometry } from "three";
 import type { Body } from "./body";
+import { createSolid } from "./materials";
 
 const Thick = 0.016;
 const Thin = 0.006;
@@ -16,12 +17,13 @@ export class Sticks {
   private readonly _joints: InstancedMesh;
   private readonly _ends: readonly { readonly bone: number; readonly end: readonly [number, number, number] }[];
 
-  constructor(body: Body, colour: string) {
+  /** @param isSoftware True if the processor draws. */
+  constructor(body: Body, colour: string, isSoftware: boolean) {
     this._body = body;
     this._ends = endsOf(body);
     const base = new Color(colour);
-    const material = new MeshStandardMaterial({ color: base, roughness: 0.6 });
-    const joint = new MeshStandardMaterial({ color: base.clone().lerp(new Color(1, 1, 1), 0.3), roughness: 0.5 });
+    const material = createSolid(base, 0.6, isSoftware);
+    const joint = createSolid(base.clone().lerp(new Color(1, 1, 1), 0.3), 0.5, isSoftware);
     this._sticks = new InstancedMesh(stickShape, material, body.names.length - 1 + this._ends.length);
     this._joints = new InstancedMesh(jointShape, joint, body.names.length);
     for (const mesh of [this._sticks, this._joints]) {
@@ -67,7 +69,7 @@ export class Sticks {
   dispose(): void {
     this.group.removeFromParent();
     for (const mesh of [this._sticks, this._joints]) {
-      (mesh.material as MeshStandardMaterial).dispose();
+      (mesh.material as Material).dispose();
       mesh.dispose();
     }
   }

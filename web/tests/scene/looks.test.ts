@@ -28,7 +28,7 @@ function standing(): Body {
 
 test("a stick reaches from the parent to the bone", () => {
   const body = standing();
-  const sticks = new Sticks(body, "#4f8fdc");
+  const sticks = new Sticks(body, "#4f8fdc", false);
   sticks.update();
   const matrix = new Matrix4();
   const mesh = sticks.group.children[0] as InstancedMesh;
