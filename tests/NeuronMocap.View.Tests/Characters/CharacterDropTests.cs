@@ -21,7 +21,7 @@ public sealed class CharacterDropTests(SharedBrowser browser, CharacterSamples s
     public async Task Removed_characters_leave_nothing_on_the_graphics_card(string file)
     {
         await using RunningView view = await RunningView.StartAsync(Walk);
-        await using TestPage page = await TestPage.OpenAsync(browser, view.Link, 320, 240);
+        await using TestPage page = await TestPage.OpenAsync(browser, view.Link, 320, 240, draws: true);
         await page.UntilMovingAsync();
         byte[] contents = await samples.ReadAsync(file);
         await DropAndRemoveAsync(page, file, contents);

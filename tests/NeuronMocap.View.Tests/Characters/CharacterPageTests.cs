@@ -10,7 +10,7 @@ public sealed class CharacterPageTests(SharedBrowser browser, CharacterSamples s
     public async Task A_figure_of_the_library_moves_like_its_performer()
     {
         await using RunningView view = await RunningView.StartAsync(Repository.PathOf("samples", "takes", "walk.bvh"));
-        await using TestPage page = await TestPage.OpenAsync(browser, view.Link);
+        await using TestPage page = await TestPage.OpenAsync(browser, view.Link, draws: true);
         await page.UntilMovingAsync();
         string id = (await page.StateAsync()).GetProperty("take").GetString()!;
         string key = (await page.StateAsync()).GetProperty("performers")[0].GetProperty("key").GetString()!;
@@ -43,7 +43,7 @@ public sealed class CharacterPageTests(SharedBrowser browser, CharacterSamples s
     public async Task A_character_holds_its_limbs_like_the_performer(string file)
     {
         await using RunningView view = await RunningView.StartAsync(Repository.PathOf("samples", "takes", "walk.bvh"));
-        await using TestPage page = await TestPage.OpenAsync(browser, view.Link);
+        await using TestPage page = await TestPage.OpenAsync(browser, view.Link, draws: true);
         await page.UntilMovingAsync();
         await page.DropAsync(file, await samples.ReadAsync(file));
         await UntilShownAsync(page);

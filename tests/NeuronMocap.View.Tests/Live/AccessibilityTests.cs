@@ -42,7 +42,7 @@ public sealed class AccessibilityTests(SharedBrowser browser)
     public async Task Keys_change_the_view_and_list_themselves()
     {
         await using RunningView view = await RunningView.StartAsync("demo");
-        await using TestPage page = await TestPage.OpenAsync(browser, view.Link);
+        await using TestPage page = await TestPage.OpenAsync(browser, view.Link, draws: true);
         await page.UntilMovingAsync();
         foreach ((string key, string setting) in ((string, string)[])[("a", "axes"), ("t", "trails"), ("m", "mirror")])
         {

@@ -28,7 +28,7 @@ public sealed class LivePageTests(SharedBrowser browser)
         reader.Start();
         await Limits.UntilAsync(() => frames.Count > 3);
         await using RunningView view = await RunningView.StartAsync($"127.0.0.1:{broadcaster.LocalEndPoint.Port}");
-        await using TestPage page = await TestPage.OpenAsync(browser, view.Link);
+        await using TestPage page = await TestPage.OpenAsync(browser, view.Link, draws: true);
         await page.UntilMovingAsync(3);
         JsonElement shown = await page.EvaluateAsync("""
             () => new Promise(resolve => requestAnimationFrame(() => {

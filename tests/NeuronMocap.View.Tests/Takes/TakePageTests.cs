@@ -41,7 +41,7 @@ public sealed class TakePageTests(SharedBrowser browser)
     {
         var source = new BvhSource(BvhDocument.Load(Walk));
         await using RunningView view = await RunningView.StartAsync("demo");
-        await using TestPage page = await TestPage.OpenAsync(browser, view.Link, 640, 480);
+        await using TestPage page = await TestPage.OpenAsync(browser, view.Link, 640, 480, draws: true);
         await page.UntilMovingAsync();
         await page.ChooseAsync(() => page.Page.Keyboard.PressAsync("o"), Walk);
         await UntilShownAsync(page);
