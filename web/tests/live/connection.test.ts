@@ -3,6 +3,7 @@ import { test } from "node:test";
 import { Connection } from "../../src/live/connection";
 import type { ServerMessage } from "../../src/live/messages";
 import { type Api, ApiError } from "../../src/page/api";
+import { setGlobals } from "../globals";
 
 class FakeSocket extends EventTarget {
   static readonly OPEN = 1;
@@ -23,16 +24,17 @@ const hello: ServerMessage = { type: "hello", name: "", version: "1", mode: "liv
 function createConnection(reason: () => Promise<unknown>) {
   const sockets: FakeSocket[] = [];
   const asked: string[] = [];
-  const page = globalThis as Record<string, unknown>;
-  page.document = { hidden: false, addEventListener: () => {} };
-  page.addEventListener = () => {};
   let ping = (): void => {};
-  page.setInterval = (run: () => void) => {
-    ping = run;
-    return 0;
-  };
-  page.setTimeout = () => 0;
-  page.WebSocket = FakeSocket;
+  setGlobals({
+    document: { hidden: false, addEventListener: () => {} },
+    addEventListener: () => {},
+    setInterval: (run: () => void) => {
+      ping = run;
+      return 0;
+    },
+    setTimeout: () => 0,
+    WebSocket: FakeSocket,
+  });
   const api = {
     socket: () => sockets[sockets.push(new FakeSocket()) - 1],
     get: (path: string) => {

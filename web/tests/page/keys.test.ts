@@ -1,14 +1,17 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { Keys } from "../../src/page/keys";
+import { setGlobals } from "../globals";
 
 // Keys of a document that the test presses.
 function createKeys() {
   let listener = (_: KeyboardEvent): void => {};
-  (globalThis as Record<string, unknown>).document = {
-    addEventListener: (_: string, added: typeof listener) => { listener = added; },
-    querySelector: () => null,
-  };
+  setGlobals({
+    document: {
+      addEventListener: (_: string, added: typeof listener) => { listener = added; },
+      querySelector: () => null,
+    },
+  });
   const target = { matches: () => false };
   const keys = new Keys();
   return { keys, press: (key: string, others: Partial<KeyboardEvent> = {}) => listener({ key, target, preventDefault: () => {}, ...others } as unknown as KeyboardEvent) };

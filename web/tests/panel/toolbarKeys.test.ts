@@ -1,6 +1,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { addToolbarKeys, placeAfter } from "../../src/panel/toolbarKeys";
+import { setGlobals } from "../globals";
 
 test("arrows go round in a toolbar, Home and End to its ends", () => {
   assert.equal(placeAfter("ArrowDown", 0, 3), 1);
@@ -19,7 +20,7 @@ test("after a click on a button or a choice from a list, the toolbar has the foc
     contains = () => true;
   }
   let blurs = 0;
-  Object.assign(globalThis, {
+  setGlobals({
     document: { activeElement: { blur: () => blurs++ } },
     HTMLSelectElement: FakeSelect,
     MutationObserver: class { observe(): void {} },
