@@ -1,5 +1,6 @@
 using System.Net;
 using System.Numerics;
+using System.Runtime.InteropServices;
 using NeuronMocap.Server;
 using NeuronMocap.Skeleton;
 using NeuronMocap.Tests.Server.Sources;
@@ -146,12 +147,13 @@ public sealed class FormatTests
     private static void AssertClose(ReadOnlySpan<float> expected, ReadOnlySpan<float> actual, BroadcasterOptions options)
     {
         Assert.Equal(expected.Length, actual.Length);
-        for (int i = 0; i < expected.Length; i++)
+        if (options.Format != BroadcastFormat.Text)
         {
-            if (options.Format != BroadcastFormat.Text)
-                Assert.Equal(BitConverter.SingleToInt32Bits(expected[i]), BitConverter.SingleToInt32Bits(actual[i]));
-            else
-                Assert.InRange(actual[i] - expected[i], -5e-5f, 5e-5f);
+            Assert.True(MemoryMarshal.AsBytes(expected).SequenceEqual(MemoryMarshal.AsBytes(actual)));
+            return;
         }
+
+        for (int i = 0; i < expected.Length; i++)
+            Assert.InRange(actual[i] - expected[i], -5e-5f, 5e-5f);
     }
 }

@@ -22,11 +22,14 @@ internal sealed class FrameServer : IDisposable
             await stream.WriteAsync(packet, cancellationToken);
     });
 
-    /// <summary>Repeats a packet until the client leaves.</summary>
+    /// <summary>Repeats a packet every millisecond until the client leaves.</summary>
     public static FrameServer Repeating(byte[] packet) => Start(async (stream, cancellationToken) =>
     {
         while (true)
+        {
             await stream.WriteAsync(packet, cancellationToken);
+            await Task.Delay(1, cancellationToken);
+        }
     });
 
     /// <summary>Sends packets to each client, a few every millisecond, until it leaves.</summary>

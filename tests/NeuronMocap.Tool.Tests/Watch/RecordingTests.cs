@@ -73,7 +73,8 @@ public sealed class RecordingTests : IDisposable
     public async Task A_stream_without_outputs_ends()
     {
         using FullDevice full = await FullDevice.LinkAsync(Path.Combine(_folder.FullName, "take.0002.nmrec"));
-        using FrameServer server = FrameServer.Repeating(FrameServer.Motion(1, new float[354]));
+        byte[] packet = FrameServer.Motion(1, new float[354]);
+        using FrameServer server = FrameServer.Pacing(_ => packet);
         ToolResult result = await ToolRunner.RunAsync(
             "watch", server.Address, "--quiet", "--overwrite", "--record", Take, "--record-size", "2");
         Assert.Equal(1, result.ExitCode);
