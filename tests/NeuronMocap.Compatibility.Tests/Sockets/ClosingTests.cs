@@ -40,10 +40,12 @@ public sealed class ClosingTests
         using var log = new CallbackLog();
         using PacketServer server = await PacketServer.ConnectAsync(log);
         using var stop = new CancellationTokenSource();
-        int wrong = 0, frames = 0;
+        int wrong = 0, frames = 0, replacements = 0;
         Task replacing = Task.Factory.StartNew(Replace, CancellationToken.None, TaskCreationOptions.LongRunning, TaskScheduler.Default);
         try
         {
+            // Frames that come before are not counted.
+            await Limits.UntilAsync(() => Volatile.Read(ref replacements) > 0);
             for (int i = 0; i < 20; i++)
             {
                 int before = Volatile.Read(ref frames);
@@ -76,6 +78,7 @@ public sealed class ClosingTests
                     if (customObject != mine)
                         Interlocked.Increment(ref wrong);
                 });
+                Volatile.Write(ref replacements, i);
 
                 // Locks are not fair: without this, a busy computer may keep the receive thread out.
                 Thread.Yield();
