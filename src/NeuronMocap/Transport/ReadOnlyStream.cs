@@ -9,21 +9,23 @@ internal abstract class ReadOnlyStream : Stream
 
     public sealed override bool CanWrite => false;
 
-    public sealed override long Length => throw new NotSupportedException();
+    public sealed override long Length => throw NoPosition();
 
     public sealed override long Position
     {
-        get => throw new NotSupportedException();
-        set => throw new NotSupportedException();
+        get => throw NoPosition();
+        set => throw NoPosition();
     }
 
     public sealed override void Flush()
     {
     }
 
-    public sealed override long Seek(long offset, SeekOrigin origin) => throw new NotSupportedException();
+    public sealed override long Seek(long offset, SeekOrigin origin) => throw NoPosition();
 
-    public sealed override void SetLength(long value) => throw new NotSupportedException();
+    public sealed override void SetLength(long value) => throw NoPosition();
 
-    public sealed override void Write(byte[] buffer, int offset, int count) => throw new NotSupportedException();
+    public sealed override void Write(byte[] buffer, int offset, int count) => throw new NotSupportedException("The stream is read-only.");
+
+    private static NotSupportedException NoPosition() => new("A live stream has no length and no position.");
 }
