@@ -10,6 +10,11 @@ const root = dirname(fileURLToPath(import.meta.url));
 const wanted = process.argv.slice(2);
 const tests = (await readdir(join(root, "tests"), { recursive: true }))
   .filter(name => name.endsWith(".test.ts") && (wanted.length === 0 || wanted.some(word => name.includes(word))));
+if (tests.length === 0) {
+  console.error(`No test file has ${wanted.join(" or ")} in its name.`);
+  process.exit(1);
+}
+
 const folder = await mkdtemp(join(tmpdir(), "neuron-mocap-page-"));
 const file = join(folder, "tests.mjs");
 try {

@@ -1,4 +1,6 @@
-/** As much of an element as parts of the panel need. Importing it makes a document of such elements. */
+import { setGlobals } from "./globals";
+
+/** As much of an element as parts of the panel need. */
 export class FakeElement extends EventTarget {
   readonly attributes = new Map<string, string>();
   readonly classList = { add: () => {}, toggle: () => {} };
@@ -57,10 +59,13 @@ class FakeOption extends FakeElement {
   }
 }
 
-Object.assign(globalThis, {
-  Option: FakeOption,
-  document: {
-    createElement: (name: string) => new FakeElement(name),
-    createElementNS: (_: string, name: string) => new FakeElement(name),
-  },
-});
+/** Gives a test a document of such elements, until it ends. */
+export function setElements(): void {
+  setGlobals({
+    Option: FakeOption,
+    document: {
+      createElement: (name: string) => new FakeElement(name),
+      createElementNS: (_: string, name: string) => new FakeElement(name),
+    },
+  });
+}

@@ -2,7 +2,7 @@ import { afterEach } from "node:test";
 
 const before = new Map<string, PropertyDescriptor | undefined>();
 
-// All files are one program, so that what a test replaces must return.
+// All files run in one process. A test must find the names as they were, whatever ran before it.
 afterEach(() => {
   for (const [name, property] of before) {
     if (property)

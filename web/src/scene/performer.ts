@@ -32,7 +32,6 @@ export class Performer {
   private _figure: Figure | null = null;
   private _isNew = false;
 
-  /** @param isSoftware True if the processor draws. */
   constructor(info: PerformerInfo, pictureSize: Vector2, isSoftware: boolean) {
     this.info = info;
     this.body = new Body(info);

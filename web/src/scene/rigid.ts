@@ -1,4 +1,5 @@
 import { BufferGeometry, type Material, Mesh, type SkinnedMesh } from "three";
+import { boundsOf } from "./bounds";
 import { withoutGloss } from "./materials";
 
 /**
@@ -20,15 +21,15 @@ export function makeRigid(skinned: SkinnedMesh): void {
     list.push(index.getX(i), index.getX(i + 1), index.getX(i + 2));
   }
 
-  // The parts share all corners. Otherwise three.js would measure all of them for each part.
-  geometry.computeBoundingSphere();
+  // The parts share all corners. Without bounds, three.js would measure all corners for each part.
+  const bounds = boundsOf(geometry);
   const simple = withoutGloss(material as Material);
   for (const [bone, list] of corners) {
     const part = new BufferGeometry();
     part.setAttribute("position", geometry.getAttribute("position"));
     part.setAttribute("normal", geometry.getAttribute("normal"));
     part.setIndex(list);
-    part.boundingSphere = geometry.boundingSphere;
+    part.boundingSphere = bounds;
     const mesh = new Mesh(part, simple);
     mesh.matrixAutoUpdate = false;
     mesh.matrix.multiplyMatrices(skeleton.boneInverses[bone], skinned.bindMatrix);

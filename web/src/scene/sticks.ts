@@ -17,7 +17,6 @@ export class Sticks {
   private readonly _joints: InstancedMesh;
   private readonly _ends: readonly { readonly bone: number; readonly end: readonly [number, number, number] }[];
 
-  /** @param isSoftware True if the processor draws. */
   constructor(body: Body, colour: string, isSoftware: boolean) {
     this._body = body;
     this._ends = endsOf(body);

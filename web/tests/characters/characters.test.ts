@@ -4,7 +4,7 @@ import { Scene } from "three";
 import { createCharacters } from "../../src/characters/characters";
 import type { FileTaker } from "../../src/page/drops";
 import type { Page, Takes } from "../../src/page/page";
-import { FakeElement } from "../elements";
+import { FakeElement, setElements } from "../elements";
 import { performer } from "../performers";
 import { makeSample, toGlb } from "./sample";
 
@@ -33,6 +33,7 @@ function createPage() {
 }
 
 test("the dialogs for characters show the buffers and pictures of a .gltf", () => {
+  setElements();
   const { takers, choices, place } = createPage();
   place.all("button")[0].dispatchEvent(new Event("click"));
   for (const shown of [choices[0], takers[0].endings]) {
@@ -42,6 +43,7 @@ test("the dialogs for characters show the buffers and pictures of a .gltf", () =
 });
 
 test("characters that are dropped one soon after the other have places of their own", async () => {
+  setElements();
   const { takers, answers, characters } = createPage();
   for (const name of ["a.glb", "b.glb"])
     void takers[0].take([new File([toGlb(makeSample({ vrm: null }))], name)]);

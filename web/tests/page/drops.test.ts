@@ -2,7 +2,7 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import { Drops } from "../../src/page/drops";
 import { pathOf } from "../../src/page/folders";
-import { FakeElement } from "../elements";
+import { FakeElement, setElements } from "../elements";
 
 interface Entry {
   readonly isDirectory: boolean;
@@ -33,16 +33,19 @@ async function drop(...entries: Entry[]) {
 }
 
 test("a folder is dropped with all files in it", async () => {
+  setElements();
   const hero = folder("hero", file("hero.gltf"), file("hero.bin"), folder("pictures", file("skin.png"), file("hair.png"), file("eyes.png")));
   const { taken, said } = await drop(file("walk.bvh"), hero);
   assert.deepEqual([taken, said], [["walk.bvh", "hero.gltf", "hero.bin", "skin.png", "hair.png", "eyes.png"], []]);
 });
 
 test("an empty folder is refused in a sentence", async () => {
+  setElements();
   assert.deepEqual(await drop(folder("hero")), { taken: [], paths: [], said: ["The folder hero is empty."] });
 });
 
 test("files in folders keep their paths", async () => {
+  setElements();
   const { paths } = await drop(folder("hero", file("a.gltf", "/hero/a.gltf"), folder("hair", file("colour.png", "/hero/hair/colour.png"))));
   assert.deepEqual(paths, ["hero/a.gltf", "hero/hair/colour.png"]);
   assert.deepEqual((await drop(file("walk.bvh"))).paths, ["walk.bvh"]);

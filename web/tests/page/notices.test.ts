@@ -1,9 +1,10 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { Notices } from "../../src/page/notices";
-import { FakeElement } from "../elements";
+import { FakeElement, setElements } from "../elements";
 
 test("screen readers hear what is sent, and not each percent", () => {
+  setElements();
   const list = new FakeElement("div");
   const progress = new Notices(list as unknown as HTMLElement).progress("Opening walk.bvh", () => {});
   progress.show(0.37);

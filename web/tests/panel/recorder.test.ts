@@ -2,9 +2,10 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import type { Page, Takes } from "../../src/page/page";
 import { Recorder } from "../../src/panel/recorder";
-import { FakeElement } from "../elements";
+import { FakeElement, setElements } from "../elements";
 
 test("after another hello, only the recordings of this run of the program are listed", () => {
+  setElements();
   const said: string[] = [];
   const place = new FakeElement("section");
   const page = { keys: { add: () => {} }, notices: { say: (text: string) => said.push(text) } };

@@ -5,9 +5,10 @@ import type { TakeInfo } from "../../src/takes/info";
 import { Playback } from "../../src/takes/playback";
 import { TakeSection } from "../../src/takes/takeSection";
 import { performer } from "../performers";
-import { FakeElement } from "../elements";
+import { FakeElement, setElements } from "../elements";
 
 test("while the program reads a take, its buttons stay", () => {
+  setElements();
   const take = new FakeElement("section");
   const page = { slots: { take }, connection: { hello: { mode: "live" } } };
   const section = new TakeSection(page as unknown as Page, new Playback(), () => {});
