@@ -30,7 +30,7 @@ public sealed class PageFigures(SharedBrowser browser, ITestOutputHelper output)
         await using RunningView view = await RunningView.StartAsync($"127.0.0.1:{broadcaster.LocalEndPoint!.Port}");
         await using TestPage page = await TestPage.OpenAsync(browser, view.Link, asInstalled: true);
         await page.UntilMovingAsync(Performers);
-        await PicturesAsync(page, 30);
+        await page.UntilDrawnAsync(30);
         List<double> delays = [];
         for (int i = 0; i < 30; i++)
         {
@@ -88,7 +88,7 @@ public sealed class PageFigures(SharedBrowser browser, ITestOutputHelper output)
         await using RunningView view = await RunningView.StartAsync($"127.0.0.1:{broadcaster.LocalEndPoint!.Port}");
         await using TestPage page = await TestPage.OpenAsync(browser, view.Link, 320, 320, asInstalled: true);
         await page.UntilMovingAsync(3);
-        await PicturesAsync(page, 100);
+        await page.UntilDrawnAsync(100);
         ICDPSession session = await page.Page.Context.NewCDPSessionAsync(page.Page);
         var watch = Stopwatch.StartNew();
         while (watch.Elapsed.TotalMinutes < minutes)
@@ -110,9 +110,9 @@ public sealed class PageFigures(SharedBrowser browser, ITestOutputHelper output)
         await page.UntilMovingAsync(performers);
 
         // The first pictures compile.
-        await PicturesAsync(page, 30);
+        await page.UntilDrawnAsync(30);
         JsonElement before = await page.EvaluateAsync(Stats);
-        await PicturesAsync(page, 120);
+        await page.UntilDrawnAsync(120);
         JsonElement after = await page.EvaluateAsync(Stats);
         double seconds = Change("now") / 1000;
         double[] motion = Times("motionTimes"), whole = Times("frameTimes");
@@ -121,11 +121,5 @@ public sealed class PageFigures(SharedBrowser browser, ITestOutputHelper output)
 
         double Change(string name) => after.GetProperty(name).GetDouble() - before.GetProperty(name).GetDouble();
         double[] Times(string name) => [.. after.GetProperty(name).EnumerateArray().Select(static time => time.GetDouble()).Take(120)];
-    }
-
-    private static async Task PicturesAsync(TestPage page, int count)
-    {
-        double before = (await page.EvaluateAsync("() => window.neuronMocap.stats().pictures")).GetDouble();
-        await page.UntilAsync("most => window.neuronMocap.stats().pictures >= most", before + count);
     }
 }

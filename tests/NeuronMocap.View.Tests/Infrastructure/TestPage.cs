@@ -13,8 +13,8 @@ internal sealed class TestPage : IAsyncDisposable
 
     private const string Hook = "window.neuronMocap";
 
-    // Most processor time goes into pictures that nobody sees. So a page has few of them, and draws only for a test that asks for it.
-    private const string DrawSeldom = """
+    // Most processor time goes into pictures that nobody sees. A page makes 15 a second, and draws them only for a test that asks for it.
+    private const string FewPictures = """
         (() => {
           const request = window.requestAnimationFrame.bind(window);
           window.requestAnimationFrame = callback => setTimeout(() => request(callback), 50);
@@ -51,13 +51,15 @@ internal sealed class TestPage : IAsyncDisposable
     /// <param name="width">Pixels.</param>
     /// <param name="height">Pixels. A small picture is quick to draw.</param>
     /// <param name="theme">The theme of the system.</param>
-    /// <param name="draws">Draws on the graphics card, and so finds what it refuses. Without, all else works: joints, texts, buttons.</param>
+    /// <param name="draws">Draws, and so finds what WebGL refuses. Otherwise nothing is drawn, but joints, texts and buttons work.</param>
     /// <param name="asInstalled">Draws all pictures, in a new page, as for a person.</param>
+    /// <param name="script">Runs before the scripts of the page, which is a new one.</param>
     public static async Task<TestPage> OpenAsync(
-        SharedBrowser browser, Uri link, int width = 480, int height = 400, ColorScheme theme = ColorScheme.Dark, bool draws = false, bool asInstalled = false)
+        SharedBrowser browser, Uri link, int width = 480, int height = 400, ColorScheme theme = ColorScheme.Dark, bool draws = false, bool asInstalled = false, string? script = null)
     {
-        IPage page = (asInstalled ? null : browser.TakeIdle()) ?? await CreateAsync(browser, asInstalled);
-        var test = new TestPage(browser, page, link, !asInstalled);
+        bool isKept = !asInstalled && script is null;
+        IPage page = (isKept ? browser.TakeIdle() : null) ?? await CreateAsync(browser, asInstalled, script);
+        var test = new TestPage(browser, page, link, isKept);
         try
         {
             await page.SetViewportSizeAsync(width, height);
@@ -91,6 +93,13 @@ internal sealed class TestPage : IAsyncDisposable
     /// <summary>Waits until performers are shown with their figures.</summary>
     public Task UntilMovingAsync(int performers = 1) => UntilAsync(
         $"count => {{ const all = {Hook}.state().performers; return all.length === count && all.every(each => each.poses > 0 && each.hasFigure); }}", performers);
+
+    /// <summary>Waits for pictures from now on.</summary>
+    public async Task UntilDrawnAsync(int pictures = 1)
+    {
+        int before = (await EvaluateAsync($"() => {Hook}.stats().pictures")).GetInt32();
+        await UntilAsync($"most => {Hook}.stats().pictures >= most", before + pictures);
+    }
 
     /// <summary>Calls a function of the page.</summary>
     /// <returns>The result as JSON, or Undefined for a function without result.</returns>
@@ -142,12 +151,14 @@ internal sealed class TestPage : IAsyncDisposable
             await Page.Context.CloseAsync();
     }
 
-    private static async Task<IPage> CreateAsync(SharedBrowser browser, bool asInstalled)
+    private static async Task<IPage> CreateAsync(SharedBrowser browser, bool asInstalled, string? script)
     {
         IBrowserContext context = await (await browser.StartAsync(asInstalled)).NewContextAsync();
         context.SetDefaultTimeout(Patience);
         if (!asInstalled)
-            await context.AddInitScriptAsync(DrawSeldom);
+            await context.AddInitScriptAsync(FewPictures);
+        if (script is not null)
+            await context.AddInitScriptAsync(script);
         IPage page = await context.NewPageAsync();
         // From now on the driver catches the dialogs for files. If it began when a test waits for one, the dialog could come first.
         page.FileChooser += static (_, _) => { };

@@ -48,10 +48,12 @@ public sealed class AccessibilityTests(SharedBrowser browser)
         {
             await PressAsync(page, key);
             Assert.True((await page.StateAsync()).GetProperty("settings").GetProperty(setting).GetBoolean(), setting);
+            await page.UntilDrawnAsync();
         }
 
         await PressAsync(page, "b");
         Assert.Equal("sticks", (await page.StateAsync()).GetProperty("settings").GetProperty("look").GetString());
+        await page.UntilDrawnAsync();
         await PressAsync(page, "?");
         await page.Page.Locator("dialog[open]").WaitForAsync();
         await PressAsync(page, "Escape");
