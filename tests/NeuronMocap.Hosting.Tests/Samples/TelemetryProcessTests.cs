@@ -1,4 +1,5 @@
 using System.Text;
+using NeuronMocap.Tests.Network;
 using NeuronMocap.Tool.Tests.Infrastructure;
 
 namespace NeuronMocap.Hosting.Tests.Samples;
@@ -18,7 +19,16 @@ public sealed class TelemetryProcessTests
         {
             Task<string> output = program.Output.ReadToEndAsync();
             Task<string> error = program.ReadErrorAsync();
-            await Limits.UntilAsync(() => output.IsCompleted || (FramesOf(collector).Any(static metric => metric.Value >= 2) && StatesOf(collector).Contains(Receiving)));
+            try
+            {
+                await Limits.UntilAsync(() => output.IsCompleted || (FramesOf(collector).Any(static metric => metric.Value >= 2) && StatesOf(collector).Contains(Receiving)));
+            }
+            catch (OperationCanceledException)
+            {
+                program.Kill();
+                await output;
+            }
+
             Assert.False(output.IsCompleted, output.IsCompleted ? await output + await error : null);
             Signals.Send("TERM", program.Id);
             Assert.Equal((0, string.Empty), (await program.WaitForExitAsync(), await error));
@@ -57,6 +67,17 @@ public sealed class TelemetryProcessTests
         Assert.Equal(1, await program.WaitForExitAsync());
         await rest;
         Assert.Contains("took nothing", await error, StringComparison.Ordinal);
+    }
+
+    [Fact]
+    public async Task The_program_ends_after_its_seconds()
+    {
+        using var program = new ToolProcess("Telemetry", "--NeuronReader:Host=127.0.0.1", $"--NeuronReader:Port={FreePort.Next()}", "--Seconds=1");
+        Task<string> output = program.Output.ReadToEndAsync();
+        string error = await program.ReadErrorAsync();
+        await output;
+        Assert.Equal(1, await program.WaitForExitAsync());
+        Assert.Contains("No frame arrived", error, StringComparison.Ordinal);
     }
 
     [Theory]

@@ -147,13 +147,15 @@ public sealed class FormatTests
     private static void AssertClose(ReadOnlySpan<float> expected, ReadOnlySpan<float> actual, BroadcasterOptions options)
     {
         Assert.Equal(expected.Length, actual.Length);
-        if (options.Format != BroadcastFormat.Text)
-        {
-            Assert.True(MemoryMarshal.AsBytes(expected).SequenceEqual(MemoryMarshal.AsBytes(actual)));
+        if (MemoryMarshal.AsBytes(expected).SequenceEqual(MemoryMarshal.AsBytes(actual)))
             return;
-        }
 
         for (int i = 0; i < expected.Length; i++)
-            Assert.InRange(actual[i] - expected[i], -5e-5f, 5e-5f);
+        {
+            if (options.Format != BroadcastFormat.Text)
+                Assert.Equal(BitConverter.SingleToInt32Bits(expected[i]), BitConverter.SingleToInt32Bits(actual[i]));
+            else
+                Assert.InRange(actual[i] - expected[i], -5e-5f, 5e-5f);
+        }
     }
 }
