@@ -11,9 +11,6 @@ internal static class GlbChecker
     // Blender reads its add-ons first.
     private static readonly TimeSpan Limit = TimeSpan.FromMinutes(2);
 
-    // Where npm puts packages. The page uses three.js as well.
-    private static readonly string[] Folders = ["web", "tests/Shared/Gltf"];
-
     /// <summary>What node found in a file: the messages of the validator, and the joints of each figure at each time, in metres.</summary>
     public sealed record Report(string[] Issues, Figure[] Figures);
 
@@ -23,10 +20,9 @@ internal static class GlbChecker
     public static async Task<Report[]> CheckAsync(string[] files, double[] times)
     {
         Assert.SkipUnless(InstalledPrograms.Have("node"), "node is not installed.");
-        string? folder = Folders.Select(static name => Repository.PathOf(name)).FirstOrDefault(static path =>
-            Directory.Exists(Path.Combine(path, "node_modules", "gltf-validator")) && Directory.Exists(Path.Combine(path, "node_modules", "three")));
-        Assert.SkipUnless(folder is not null, "The packages of node are missing: npm ci --prefix tests/Shared/Gltf");
-        string output = await RunAsync("node", [Repository.PathOf("tests", "Shared", "Gltf", "check.mjs"), folder!, Join(times), .. files]);
+        string page = Repository.PathOf("web");
+        Assert.SkipUnless(Directory.Exists(Path.Combine(page, "node_modules", "gltf-validator")), "The packages of the page are not installed: build the program.");
+        string output = await RunAsync("node", [Repository.PathOf("tests", "Shared", "Gltf", "check.mjs"), page, Join(times), .. files]);
         using var json = JsonDocument.Parse(output);
         return [.. json.RootElement.EnumerateArray().Select(static report => new Report(
             Texts(report.GetProperty("issues")),

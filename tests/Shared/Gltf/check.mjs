@@ -1,5 +1,5 @@
 // Validates GLB files and loads them with three.js. Prints, for each file, the messages of the validator and the joints of each figure.
-// node check.mjs FOLDER-OF-NODE_MODULES TIMES FILE...
+// node check.mjs FOLDER-WITH-NODE_MODULES TIMES FILE...
 import { readFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { resolve } from 'node:path';
