@@ -49,6 +49,9 @@ public sealed class RabbitMqSource : ByteSource
     /// <summary>The address of the broker and the stage, without user and password.</summary>
     public override string Name { get; }
 
+    // Null for the usual one.
+    internal TimeSpan? RestTime { get; init; }
+
     /// <summary>Takes the counts of this moment. Thread-safe.</summary>
     /// <returns>The counts.</returns>
     public RabbitMqSourceStatistics GetStatistics() => _state.GetStatistics();
@@ -84,7 +87,7 @@ public sealed class RabbitMqSource : ByteSource
         {
             // The pipe's threads run the reader; without schedulers, the connection would.
             var pipe = new Pipe(new PipeOptions(pauseWriterThreshold: PipeSize, resumeWriterThreshold: PipeSize / 2, useSynchronizationContext: false));
-            consumer = new PacketConsumer(connection.Channel, _state, pipe.Writer, _options);
+            consumer = new PacketConsumer(connection.Channel, _state, pipe.Writer, _options, RestTime);
             await ConsumeAsync(connection.Channel, consumer, cancellationToken).ConfigureAwait(false);
             _state.CountConnection();
             return new PacketStream(connection, consumer, pipe.Reader, () => Volatile.Write(ref _isOpen, 0));

@@ -20,7 +20,7 @@ public sealed class StreamReplacementTests(SharedBroker shared)
         const int Before = 300, After = 10;
         Broker broker = await shared.GetAsync();
         await using Stage stage = await Stage.RecordAsync(broker, "replaced", Before);
-        await using Audience audience = await Audience.StartAsync(Audience.Options(broker, "replaced", "replaced"));
+        await using Audience audience = await Audience.StartAsync(Audience.Options(broker, "replaced", "replaced"), restTime: TimeSpan.FromSeconds(0.5));
         await audience.UntilAsync(Before);
 
         await broker.DeleteQueueAsync("replaced");

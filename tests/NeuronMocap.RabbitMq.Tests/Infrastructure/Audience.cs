@@ -8,9 +8,9 @@ internal sealed class Audience : IAsyncDisposable
     private readonly List<byte[]> _packets = [];
     private readonly ManualResetEventSlim _isOpen = new(initialState: true);
 
-    private Audience(RabbitMqSourceOptions options)
+    private Audience(RabbitMqSourceOptions options, TimeSpan? restTime)
     {
-        Source = new RabbitMqSource(options);
+        Source = new RabbitMqSource(options) { RestTime = restTime };
         Reader = new NeuronReader(new NeuronReaderOptions
         {
             Source = Source,
@@ -56,9 +56,9 @@ internal sealed class Audience : IAsyncDisposable
     };
 
     /// <summary>Starts to receive. What is published afterwards arrives.</summary>
-    public static async Task<Audience> StartAsync(RabbitMqSourceOptions options)
+    public static async Task<Audience> StartAsync(RabbitMqSourceOptions options, TimeSpan? restTime = null)
     {
-        var audience = new Audience(options);
+        var audience = new Audience(options, restTime);
         audience.Reader.Start();
         await Limits.UntilAsync(() => audience.Source.GetStatistics().Connections > 0);
         return audience;
