@@ -10,24 +10,22 @@ namespace NeuronMocap.RabbitMq.Tests;
 
 public sealed class ConsumerTests
 {
+    private readonly RabbitMqSourceOptions _options = new();
+
     // A broker closes a channel with messages that are not acknowledged for 30 minutes.
     [Fact]
     public async Task While_no_frames_come_the_last_ones_are_acknowledged_once()
     {
-        var options = new RabbitMqSourceOptions();
         IChannel channel = DispatchProxy.Create<IChannel, AcknowledgementLog>();
         var acknowledged = ((AcknowledgementLog)(object)channel).Tags;
         var pipe = new Pipe(new PipeOptions(pauseWriterThreshold: 0));
-        var consumer = new PacketConsumer(channel, new SourceState(options), pipe.Writer, options, restTime: Timeout.InfiniteTimeSpan);
+        PacketConsumer consumer = Create(channel, new SourceState(_options), pipe);
         ulong tag = 0;
 
         async Task DeliverAsync(int count)
         {
             for (int i = 0; i < count; i++)
-            {
-                await consumer.HandleBasicDeliverAsync(
-                    "tag", ++tag, redelivered: false, "exchange", "main.x.motion", new BasicProperties(), TestPackets.Motion((int)tag), TestContext.Current.CancellationToken);
-            }
+                await ConsumerTests.DeliverAsync(consumer, ++tag);
         }
 
         await DeliverAsync(70);
@@ -43,6 +41,35 @@ public sealed class ConsumerTests
 
         Assert.Equal([64UL, 70UL, 134UL], acknowledged);
         await pipe.Reader.CompleteAsync();
+    }
+
+    // A frame that was counted and not written would be lost without a count, because the next connection begins behind it.
+    [Fact]
+    public async Task Every_counted_frame_is_in_the_pipe_when_the_queue_is_deleted_meanwhile()
+    {
+        const int Connections = 500;
+        IChannel channel = DispatchProxy.Create<IChannel, AcknowledgementLog>();
+        using var begin = new Barrier(2);
+        for (int i = 0; i < Connections; i++)
+        {
+            var state = new SourceState(_options);
+            var pipe = new Pipe(new PipeOptions(pauseWriterThreshold: 0));
+            PacketConsumer consumer = Create(channel, state, pipe);
+            Task delivering = Task.Run(async () =>
+            {
+                begin.SignalAndWait(TestContext.Current.CancellationToken);
+                for (ulong tag = 1; consumer.Failure is null; tag++)
+                    await DeliverAsync(consumer, tag);
+            });
+            begin.SignalAndWait(TestContext.Current.CancellationToken);
+            SpinWait.SpinUntil(() => state.GetStatistics().Packets > 0 || delivering.IsCompleted);
+            await consumer.HandleBasicCancelAsync("tag", TestContext.Current.CancellationToken);
+            await delivering;
+
+            using var written = new MemoryStream();
+            await pipe.Reader.CopyToAsync(written, TestContext.Current.CancellationToken);
+            Assert.Equal(state.GetStatistics().Bytes, written.Length);
+        }
     }
 
     // NeuronReaderOptions.MaxValues can be higher than its default.
@@ -63,6 +90,12 @@ public sealed class ConsumerTests
 
         Assert.Contains("the reader took no frames for too long", BrokerFault.Of(reason, new RabbitMqSourceOptions()).Message, StringComparison.Ordinal);
     }
+
+    private PacketConsumer Create(IChannel channel, SourceState state, Pipe pipe) =>
+        new(channel, state, pipe.Writer, _options, restTime: Timeout.InfiniteTimeSpan);
+
+    private static Task DeliverAsync(PacketConsumer consumer, ulong tag) => consumer.HandleBasicDeliverAsync(
+        "tag", tag, redelivered: false, "exchange", "main.x.motion", new BasicProperties(), TestPackets.Motion((int)tag), TestContext.Current.CancellationToken);
 
     /// <summary>A channel that only remembers acknowledgements.</summary>
     public class AcknowledgementLog : DispatchProxy

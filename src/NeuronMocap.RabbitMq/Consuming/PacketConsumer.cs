@@ -26,11 +26,14 @@ internal sealed class PacketConsumer : AsyncDefaultBasicConsumer
     private readonly PipeWriter _writer;
     private readonly RabbitMqSourceOptions _options;
     private readonly SemaphoreSlim _turn = new(1);
+
+    // A message is counted and written, or the connection has ended before it.
+    private readonly object _lock = new();
     private readonly Timer _rest;
     private int _rests;
     private ulong _taken;
     private ulong _acknowledged;
-    private NeuronConnectionException? _failure;
+    private volatile NeuronConnectionException? _failure;
 
     // restTime: null for the usual one.
     public PacketConsumer(IChannel channel, SourceState state, PipeWriter writer, RabbitMqSourceOptions options, TimeSpan? restTime = null)
@@ -42,7 +45,7 @@ internal sealed class PacketConsumer : AsyncDefaultBasicConsumer
     }
 
     // Why the connection ended; set before the pipe ends.
-    public NeuronConnectionException? Failure => Volatile.Read(ref _failure);
+    public NeuronConnectionException? Failure => _failure;
 
     public override async Task HandleBasicDeliverAsync(
         string consumerTag,
@@ -54,21 +57,9 @@ internal sealed class PacketConsumer : AsyncDefaultBasicConsumer
         ReadOnlyMemory<byte> body,
         CancellationToken cancellationToken = default)
     {
-        if (Failure is not null)
+        FlushResult result = await WriteAsync(routingKey, properties.Headers, body).ConfigureAwait(false);
+        if (result.IsCompleted)
             return;
-
-        if (!_state.IsSameStream(routingKey, properties.Headers))
-        {
-            Fail(Replaced());
-            return;
-        }
-
-        if (_state.Take(routingKey, properties.Headers, body.Span))
-        {
-            FlushResult result = await _writer.WriteAsync(body, CancellationToken.None).ConfigureAwait(false);
-            if (result.IsCompleted)
-                return;
-        }
 
         Volatile.Write(ref _taken, deliveryTag);
         if (deliveryTag - Volatile.Read(ref _acknowledged) >= AcknowledgeEvery)
@@ -92,8 +83,9 @@ internal sealed class PacketConsumer : AsyncDefaultBasicConsumer
     // Before the reader lets go of the stream. A message that comes later belongs to the next connection, or is lost.
     public void Stop()
     {
-        Interlocked.CompareExchange(ref _failure, new NeuronConnectionException(ConnectionReason.Requested, "The stream was closed."), null);
         _rest.Dispose();
+        lock (_lock)
+            _failure ??= new NeuronConnectionException(ConnectionReason.Requested, "The stream was closed.");
     }
 
     // What was taken since the last time.
@@ -110,12 +102,36 @@ internal sealed class PacketConsumer : AsyncDefaultBasicConsumer
         }
     }
 
+    // Completed if the connection has ended.
+    private ValueTask<FlushResult> WriteAsync(string routingKey, IDictionary<string, object?>? headers, ReadOnlyMemory<byte> body)
+    {
+        lock (_lock)
+        {
+            if (_failure is null && !_state.IsSameStream(routingKey, headers))
+                Fail(Replaced());
+
+            if (_failure is not null)
+                return new(new FlushResult(isCanceled: false, isCompleted: true));
+
+            if (_state.Take(routingKey, headers, body.Span))
+                return _writer.WriteAsync(body, CancellationToken.None);
+
+            return default;
+        }
+    }
+
     private void Rest()
     {
-        if (++_rests >= RestsBeforeStream && Failure is null && _state.IsStreamOver())
-            Fail(Replaced());
-        else
-            _ = AcknowledgeRestAsync();
+        lock (_lock)
+        {
+            if (++_rests >= RestsBeforeStream && _failure is null && _state.IsStreamOver())
+            {
+                Fail(Replaced());
+                return;
+            }
+        }
+
+        _ = AcknowledgeRestAsync();
     }
 
     private NeuronConnectionException Replaced() => new(
@@ -144,7 +160,13 @@ internal sealed class PacketConsumer : AsyncDefaultBasicConsumer
     private void Fail(NeuronConnectionException failure)
     {
         _rest.Dispose();
-        if (Interlocked.CompareExchange(ref _failure, failure, null) is null)
+        lock (_lock)
+        {
+            if (_failure is not null)
+                return;
+
+            _failure = failure;
             _writer.Complete();
+        }
     }
 }
