@@ -36,7 +36,7 @@ public sealed class ConvertSummaryTests : IDisposable
             string summary = await ConvertAsync(_folder["cut.bvh"], _folder[output]);
             Assert.Contains(": 163 frames, ", summary, StringComparison.Ordinal);
             Assert.Matches(@"; 1 row left out; 2 warnings: \(1\) .*, \(2\) ", summary);
-            Assert.Contains("'358' frames are declared, but there are 163 rows", summary, StringComparison.Ordinal);
+            Assert.Contains("The file declares '358' frames but has 163 rows", summary, StringComparison.Ordinal);
         }
     }
 

@@ -43,7 +43,7 @@ internal static class BvhTakeFile
         }
 
         foreach (BvhRepair repair in reader.Repairs)
-            reading.AddProblem($"{repair}.");
+            reading.AddProblem($"Line {repair.Line}, column {repair.Column}: {repair.Description}");
         if (reader.RepairCount > reader.Repairs.Count)
             reading.AddProblem($"{reader.RepairCount - reader.Repairs.Count} more defects were read as well as possible.");
     }

@@ -30,7 +30,7 @@ internal static class CalculationTakeFile
         }
 
         foreach (CalculationRepair repair in reader.Repairs)
-            reading.AddProblem($"{repair}.");
+            reading.AddProblem($"Line {repair.Line}, column {repair.Column}: {repair.Description}");
     }
 
     private static CalculationSkeleton Measure(string path, TakeReading reading)

@@ -181,7 +181,7 @@ internal ref struct BvhHierarchyReader
     private void CloseJoint()
     {
         if (!_open!.HasOffset)
-            _repairs.Add(_place, $"There is no OFFSET in {Describe(_open)}", $"it is taken as zero");
+            _repairs.Add(_place, $"There is no OFFSET in {Describe(_open)}", $"zero is assumed");
 
         _inEndSite = false;
         _open = _open.Parent;
@@ -213,7 +213,7 @@ internal ref struct BvhHierarchyReader
         if (!TextNumber.TryParse(word, out float value))
         {
             BvhTextPosition place = _text.Place.Line == _place.Line ? _text.Place : _place;
-            _repairs.Add(place, $"The OFFSET in {Describe(_open!)} lacks a number", $"it is taken as zero");
+            _repairs.Add(place, $"The OFFSET in {Describe(_open!)} lacks a number", $"zero is assumed");
             return 0;
         }
 

@@ -141,7 +141,7 @@ internal sealed class BvhMotionReader(int channelCount, BvhRepairLog repairs, Bv
         if (_frames == default)
             repairs.Add(_block, $"The number of frames is missing", $"rows found: {_blockRows}");
         else if (_announced != _blockRows)
-            repairs.Add(_frames, $"{_announcedText} frames are declared, but there are {_blockRows} rows", $"the rows count");
+            repairs.Add(_frames, $"The file declares {_announcedText} frames but has {_blockRows} {(_blockRows == 1 ? "row" : "rows")}", $"all rows are read");
     }
 
     private void ReadFrames(ref BvhText text, BvhTextPosition place)

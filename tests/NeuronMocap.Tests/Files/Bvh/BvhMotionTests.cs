@@ -84,12 +84,12 @@ public class BvhMotionTests
     [InlineData("many")]
     [InlineData("nan")]
     [InlineData("")]
-    public void The_actual_rows_count(string frames)
+    public void All_rows_are_read_whatever_number_the_file_declares(string frames)
     {
         BvhDocument document = Parse($"{Hierarchy}MOTION\nFrames: {frames}\nFrame Time: 0.008\n{Row}{Row}");
 
         Assert.Equal(2, document.FrameCount);
-        Assert.Equal(new BvhRepair(17, frames.Length == 0 ? 1 : 9, $"'{frames}' frames are declared, but there are 2 rows; the rows count."), OnlyRepair(document));
+        Assert.Equal(new BvhRepair(17, frames.Length == 0 ? 1 : 9, $"The file declares '{frames}' frames but has 2 rows; all rows are read."), OnlyRepair(document));
     }
 
     [Fact]

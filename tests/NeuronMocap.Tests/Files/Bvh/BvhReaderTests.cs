@@ -252,7 +252,7 @@ public class BvhReaderTests
     [Theory]
     [InlineData("9 10 11", 1, "The file has no HIERARCHY; it begins with '9'.")]
     [InlineData(TwoRows + "x", 22, "'x' is not a number.")]
-    [InlineData(TwoRows + Row, 18, "'2' frames are declared, but there are 3 rows.")]
+    [InlineData(TwoRows + Row, 18, "The file declares '2' frames but has 3 rows.")]
     public void Strict_reading_names_the_defect(string text, int line, string told)
     {
         BvhFormatException refusal = Assert.Throws<BvhFormatException>(() => BvhDocument.Parse(Encoding.UTF8.GetBytes(text), Strict));

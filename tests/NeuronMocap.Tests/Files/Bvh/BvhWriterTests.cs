@@ -126,7 +126,7 @@ public sealed class BvhWriterTests : IDisposable
         }
 
         BvhDocument read = BvhDocument.Parse(memory.ToArray());
-        Assert.Contains("'0' frames are declared, but there are 1 rows", OnlyRepair(read).Description, StringComparison.Ordinal);
+        Assert.Contains("The file declares '0' frames but has 1 row;", OnlyRepair(read).Description, StringComparison.Ordinal);
         AssertBits(document.GetValues(0), Values(read));
     }
 

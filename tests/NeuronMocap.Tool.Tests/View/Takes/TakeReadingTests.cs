@@ -1,5 +1,6 @@
 using NeuronMocap.Tool.Files;
 using NeuronMocap.Tool.Tests.Files;
+using NeuronMocap.Tool.Tests.Infrastructure;
 using NeuronMocap.Tool.View.Takes;
 
 namespace NeuronMocap.Tool.Tests.View.Takes;
@@ -31,5 +32,23 @@ public sealed class TakeReadingTests
 
         Assert.Empty(take.Problems);
         Assert.Equal(0, take.Progress);
+    }
+
+    [Theory]
+    [InlineData("walk.bvh")]
+    [InlineData("walk.calc")]
+    public async Task A_defect_of_a_row_is_one_sentence(string name)
+    {
+        using var folder = new TemporaryFolder();
+        Files.Takes.Actor(3).Save(folder["walk.bvh"]);
+        if (name != "walk.bvh")
+            Assert.Equal(0, (await ToolRunner.RunAsync("convert", folder["walk.bvh"], folder[name])).ExitCode);
+        await File.AppendAllTextAsync(folder[name], "1 2 3\r\n", TestContext.Current.CancellationToken);
+        using var take = new Take("t1", name, folder[name], FileKinds.Recognize(folder[name]));
+
+        new TakeReading(take, folder["."]).Run();
+
+        Assert.Contains(take.Problems, static problem => problem.Contains("A row has 3 values instead of", StringComparison.Ordinal));
+        Assert.All(take.Problems, static problem => Assert.Matches(@"^Line \d+, column \d+: [A-Z][^.]*[^.]\.$", problem));
     }
 }
