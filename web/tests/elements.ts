@@ -3,7 +3,7 @@ import { setGlobals } from "./globals";
 /** As much of an element as parts of the panel need. */
 export class FakeElement extends EventTarget {
   readonly attributes = new Map<string, string>();
-  readonly classList = { add: () => {}, toggle: () => {} };
+  readonly classList = { add: () => {}, remove: () => {}, toggle: () => {} };
   readonly dataset = {};
   hidden = false;
   private _children: (FakeElement | string)[] = [];

@@ -5,6 +5,7 @@ using Microsoft.AspNetCore.Hosting;
 using Microsoft.AspNetCore.Http;
 using Microsoft.AspNetCore.Routing;
 using Microsoft.Extensions.DependencyInjection;
+using NeuronMocap.Recording;
 using NeuronMocap.Server;
 using NeuronMocap.Tool.Arguments;
 using NeuronMocap.Tool.Tests.Files;
@@ -71,6 +72,54 @@ public sealed class RecordingControlTests : IDisposable
         hub.Send(new ProblemMessage("The last message."));
         Assert.Equal(RecordingMessage.Recording, await FindStateAsync(page));
         Assert.Equal(2, _folder.Names.Length);
+    }
+
+    [Theory]
+    [InlineData(true)]
+    [InlineData(false)]
+    public async Task A_finished_recording_tells_whether_it_holds_motion(bool hasMotion)
+    {
+        await using Broadcaster broadcaster = Broadcaster.StartDemo();
+        await using var reader = new NeuronReader(new NeuronReaderOptions { Host = "127.0.0.1", Port = broadcaster.LocalEndPoint!.Port });
+        await using var hub = new ControlHub(static () => []);
+        await using var control = new RecordingControl(reader, _folder[string.Empty], hub, new Library());
+        RequestDelegate handle = HandlerOf(control);
+        await handle(RequestFor("start", CancellationToken.None));
+        if (hasMotion)
+        {
+            reader.Start();
+            await Limits.UntilAsync(() => reader.GetStatistics().MotionFrames > 0);
+        }
+
+        await handle(RequestFor("stop", CancellationToken.None));
+
+        RecordingMessage finished = Assert.IsType<RecordingMessage>(control.Greet()[0]);
+        Assert.Equal(hasMotion, finished.Frames > 0);
+        Assert.Equal(0, RecordingMessage.None.Frames);
+    }
+
+    [Fact]
+    public async Task A_recording_that_fails_while_another_one_runs_does_not_hide_it()
+    {
+        using FullDevice full = await FullDevice.LinkAsync(_folder["older.0002.nmrec"]);
+        await using Broadcaster broadcaster = Broadcaster.StartDemo();
+        await using var reader = new NeuronReader(new NeuronReaderOptions { Host = "127.0.0.1", Port = broadcaster.LocalEndPoint!.Port });
+        await using var hub = new ControlHub(static () => []);
+        await using var control = new RecordingControl(reader, _folder[string.Empty], hub, new Library());
+        await using ViewServer server = await ViewServer.StartAsync(new ViewOptions(Source.Demo, new ConnectionOptions()) { Port = 0 }, [hub]);
+        using ViewSocket page = await ViewSocket.ConnectAsync(new Uri($"ws://{server.LocalEndPoint}/control"), subprotocol: null, configure: null);
+        await Limits.UntilAsync(() => hub.Clients == 1);
+        StreamRecorder older = reader.StartRecording(_folder["older.nmrec"], new RecordingOptions { MaxFileDuration = TimeSpan.FromSeconds(1), Overwrite = true });
+        reader.Start();
+        await HandlerOf(control)(RequestFor("start", CancellationToken.None));
+
+        await Limits.UntilAsync(() => older.Failure is not null);
+
+        Assert.Equal(RecordingMessage.Recording, await FindStateAsync(page));
+        JsonElement after = JsonDocument.Parse((await page.ReceiveAsync())!).RootElement;
+        Assert.Equal("recording", after.GetProperty("type").GetString());
+        Assert.Equal(RecordingMessage.Recording, after.GetProperty("state").GetString());
+        Assert.StartsWith("neuron-", after.GetProperty("file").GetString(), StringComparison.Ordinal);
     }
 
     // The state that a page shows when it receives a problem.

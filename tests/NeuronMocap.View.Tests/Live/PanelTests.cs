@@ -1,3 +1,4 @@
+using NeuronMocap.Tests.Network;
 using NeuronMocap.Tool.Tests.Files;
 using NeuronMocap.Tool.Tests.View;
 using NeuronMocap.View.Tests.Infrastructure;
@@ -65,6 +66,20 @@ public sealed class PanelTests(SharedBrowser browser) : IDisposable
         string file = Assert.Single(_folder.Names);
         Assert.EndsWith(".nmrec", file, StringComparison.Ordinal);
         Assert.Contains(file, await page.Page.Locator(".finished").InnerTextAsync(), StringComparison.Ordinal);
+        page.AssertClean();
+    }
+
+    [Fact]
+    public async Task A_recording_without_motion_is_offered_as_a_file_only()
+    {
+        await using RunningView view = await RunningView.StartAsync($"udp://127.0.0.1:{FreePort.Next()}", "--record-folder", _folder[string.Empty]);
+        await using TestPage page = await TestPage.OpenAsync(browser, view.Link);
+        await page.Page.Keyboard.PressAsync("r");
+        await page.UntilAsync("() => document.querySelector('.record-button').getAttribute('aria-pressed') === 'true'");
+        await page.Page.Keyboard.PressAsync("r");
+        await page.UntilAsync("() => document.querySelector('.finished small')?.textContent.endsWith(' · no motion')");
+
+        Assert.Equal([".nmrec"], await page.Page.Locator(".finished button").EvaluateAllAsync<string[]>("buttons => buttons.map(button => button.textContent.trim())"));
         page.AssertClean();
     }
 }

@@ -66,6 +66,8 @@ export interface Recording {
   readonly file?: string | null;
   readonly seconds: number;
   readonly bytes: number;
+  /** Frames that arrived during the recording. */
+  readonly frames: number;
   readonly take?: string | null;
 }
 

@@ -3,7 +3,11 @@ import type { Page } from "../page/page";
 import type { TakeInfo } from "../takes/info";
 import { wordButton } from "./buttons";
 
-const Formats = [["bvh", "BVH"], ["glb", "GLB"], ["csv", "CSV"], ["nmrec", ".nmrec"]] as const;
+const Words = { bvh: "BVH", glb: "GLB", csv: "CSV", nmrec: ".nmrec" } as const;
+
+export type Format = keyof typeof Words;
+
+const AllFormats = Object.keys(Words) as Format[];
 
 /** A part of a take in milliseconds; null for its start or its end. */
 export interface Part {
@@ -11,10 +15,13 @@ export interface Part {
   readonly to: number | null;
 }
 
+export const Whole: Part = { from: null, to: null };
+
 /** Buttons that save a take of the server, or a part of it, as files. */
-export function downloadButtons(page: Page, take: string, name: string, part: Part = { from: null, to: null }): HTMLElement {
+export function downloadButtons(page: Page, take: string, name: string, part: Part = Whole, formats: readonly Format[] = AllFormats): HTMLElement {
   const address = `takes/${encodeURIComponent(take)}`;
-  return element("div", { class: "downloads", role: "group", "aria-label": `Download ${name}` }, ...Formats.map(([format, words]) => {
+  return element("div", { class: "downloads", role: "group", "aria-label": `Download ${name}` }, ...formats.map(format => {
+    const words = Words[format];
     const button = wordButton("download", words, () => void save());
     button.title = format === "bvh" ? "Download as BVH, a file for each performer" : `Download as ${words}`;
     return button;
@@ -29,14 +36,16 @@ export function downloadButtons(page: Page, take: string, name: string, part: Pa
       button.disabled = false;
     }
 
-    // A BVH file holds one performer.
+    // A BVH file holds one performer. Of a take without performers, the server says why there is no file.
     async function saveEach(base: string, range: string): Promise<void> {
       const { performers } = await page.api.get<TakeInfo>(address);
-      for (const { key, name: performer } of performers) {
-        const file = performers.length > 1 ? `${base} ${performer || key}.bvh` : `${base}.bvh`;
-        const query = performers.length > 1 ? `&performer=${encodeURIComponent(key)}` : "";
-        await page.api.download(`${address}/download?format=bvh${query}${range}`, file);
+      if (performers.length < 2) {
+        await page.api.download(`${address}/download?format=bvh${range}`, `${base}.bvh`);
+        return;
       }
+
+      for (const { key, name: performer } of performers)
+        await page.api.download(`${address}/download?format=bvh&performer=${encodeURIComponent(key)}${range}`, `${base} ${performer || key}.bvh`);
     }
   }));
 }

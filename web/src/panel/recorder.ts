@@ -2,7 +2,7 @@ import { element, setText } from "../page/dom";
 import type { Recording } from "../live/messages";
 import type { Page, Takes } from "../page/page";
 import { setPressed, wordButton } from "./buttons";
-import { downloadButtons } from "./downloads";
+import { downloadButtons, Whole } from "./downloads";
 import { bytes, duration } from "./format";
 import { setIcon } from "./icons";
 
@@ -65,15 +65,18 @@ export class Recorder {
 
   private _add(file: string, recording: Recording): void {
     this._known.add(file);
-    const figures = element("small", {}, `${duration(recording.seconds)} · ${bytes(recording.bytes)}`);
+    const hasMotion = recording.frames > 0;
+    const figures = element("small", {}, [duration(recording.seconds), bytes(recording.bytes), ...hasMotion ? [] : ["no motion"]].join(" · "));
     const line = element("li", {}, element("span", { class: "name" }, file, figures));
     this._finished.prepend(line);
     const take = recording.take;
     if (!take)
       return;
 
-    const open = wordButton("open", "Show", () => void this._page.notices.attempt(() => this._takes.open(take)));
-    line.append(open, downloadButtons(this._page, take, file));
+    if (hasMotion)
+      line.append(wordButton("open", "Show", () => void this._page.notices.attempt(() => this._takes.open(take))), downloadButtons(this._page, take, file));
+    else
+      line.append(downloadButtons(this._page, take, file, Whole, ["nmrec"]));
   }
 }
 

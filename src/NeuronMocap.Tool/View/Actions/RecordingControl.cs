@@ -38,7 +38,7 @@ internal sealed class RecordingControl : IViewPart
     public void Map(IEndpointRouteBuilder endpoints) => endpoints.MapPost("/api/record", HandleAsync);
 
     /// <summary>Describes the running recording, or that there is none.</summary>
-    public RecordingMessage Describe() => _newest is { IsRecording: true } take ? RecordingMessage.Of(take) : RecordingMessage.None;
+    public RecordingMessage Describe() => _newest is { IsRecording: true } take ? RecordingMessage.Of(take, _takes.FramesArrived) : RecordingMessage.None;
 
     /// <summary>Makes the messages for a new page: the finished recordings, then the running one.</summary>
     public IReadOnlyList<object> Greet() => [.. _finished, Describe()];
@@ -84,7 +84,7 @@ internal sealed class RecordingControl : IViewPart
             // It can have failed already.
             Watch.Recordings.Take take = _takes.Takes[^1];
             _newest = take;
-            message = RecordingMessage.Of(take);
+            message = RecordingMessage.Of(take, _takes.FramesArrived);
         }
 
         _hub.SendCurrent(Describe);
@@ -103,7 +103,7 @@ internal sealed class RecordingControl : IViewPart
         }
 
         await closed;
-        RecordingMessage message = RecordingMessage.Of(take) with { State = RecordingMessage.Idle, Take = await OpenAsync(take.Recorder) };
+        RecordingMessage message = RecordingMessage.Of(take, _takes.FramesArrived) with { State = RecordingMessage.Idle, Take = await OpenAsync(take.Recorder) };
         lock (_lock)
             _finished = [.. _finished, message];
 

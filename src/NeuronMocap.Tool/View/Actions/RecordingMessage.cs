@@ -8,21 +8,26 @@ namespace NeuronMocap.Tool.View.Actions;
 /// <param name="File">The name of the file, without its folder; null for none.</param>
 /// <param name="Seconds">Its duration.</param>
 /// <param name="Bytes">Its size.</param>
-internal sealed record RecordingMessage(string State, string? File, double Seconds, long Bytes)
+/// <param name="Frames">The number of frames that arrived during it.</param>
+internal sealed record RecordingMessage(string State, string? File, double Seconds, long Bytes, long Frames)
 {
     public const string Recording = "recording";
     public const string Idle = "idle";
 
-    public static RecordingMessage None { get; } = new(Idle, File: null, 0, 0);
+    public static RecordingMessage None { get; } = new(Idle, File: null, 0, 0, 0);
 
     public string Type { get; } = "recording";
 
     /// <summary>The id of the take that the finished recording has become; null for none.</summary>
     public string? Take { get; init; }
 
-    public static RecordingMessage Of(Take take)
+    /// <summary>Describes a recording that runs.</summary>
+    /// <param name="take">The recording.</param>
+    /// <param name="arrived">Frames that have arrived in the whole run.</param>
+    public static RecordingMessage Of(Take take, long arrived)
     {
         RecordingStatistics statistics = take.Recorder.GetStatistics();
-        return new RecordingMessage(Recording, Path.GetFileName(take.Recorder.CurrentPath), statistics.Duration.TotalSeconds, statistics.Bytes);
+        string file = Path.GetFileName(take.Recorder.CurrentPath);
+        return new RecordingMessage(Recording, file, statistics.Duration.TotalSeconds, statistics.Bytes, take.CountFrames(arrived));
     }
 }

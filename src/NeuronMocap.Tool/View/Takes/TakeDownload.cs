@@ -25,11 +25,18 @@ internal sealed class TakeDownload(ScratchFolder scratch) : IDisposable
             throw ApiException.BadRequest($"format must be one of these: {string.Join(", ", Formats)}.");
 
         string wanted = context.Request.Query["performer"].ToString();
-        TakePerformer performer = take.Find(wanted) ?? throw ApiException.NotFound("The take has no such performer.");
         long from = TakeRequest.GetTime(context, "from", usual: -1);
         long to = TakeRequest.GetTime(context, "to", usual: -1);
         bool isWhole = from < 0 && to < 0;
         string name = Path.GetFileNameWithoutExtension(take.Name) + extension;
+        if (isWhole && kind == take.Kind && wanted.Length == 0)
+        {
+            await SendOriginalAsync(context, take, name);
+            return;
+        }
+
+        await RequireMotionAsync(take, context.RequestAborted);
+        TakePerformer performer = take.Find(wanted) ?? throw ApiException.NotFound("The take has no such performer.");
         if (isWhole && kind == take.Kind)
         {
             await SendOriginalAsync(context, take, name);
@@ -60,6 +67,19 @@ internal sealed class TakeDownload(ScratchFolder scratch) : IDisposable
     }
 
     public void Dispose() => _turn.Dispose();
+
+    // A take that is still being read may have no performer yet.
+    private static async Task RequireMotionAsync(Take take, CancellationToken cancellationToken)
+    {
+        if (HasMotion(take))
+            return;
+
+        await take.Completion.WaitAsync(cancellationToken);
+        if (!HasMotion(take))
+            throw ApiException.Conflict($"{take.Name} holds no frames of motion.");
+    }
+
+    private static bool HasMotion(Take take) => take.Performers.Any(static performer => performer.Frames > 0);
 
     // Frames of a recording have the times at which they were sent, and convert selects by arrival. Negative times are no limits.
     private static (long From, long To) FindArrival(ImmutableArray<TakePerformer> performers, long from, long to)
