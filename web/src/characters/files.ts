@@ -59,6 +59,9 @@ export function readJson(name: string, bytes: ArrayBuffer): GltfJson {
   if (isBinary && (view.getUint32(4, true) !== 2 || view.getUint32(16, true) !== 0x4e4f534a || 20 + view.getUint32(12, true) > bytes.byteLength))
     throw new Error(`${name} is damaged, or of an old version of glTF.`);
 
+  if (isBinary && view.getUint32(8, true) > bytes.byteLength)
+    throw new Error(`${name} is cut off: its end is missing.`);
+
   const text = isBinary ? new Uint8Array(bytes, 20, view.getUint32(12, true)) : new Uint8Array(bytes);
   try {
     const json = JSON.parse(new TextDecoder().decode(text)) as GltfJson & { asset?: unknown };

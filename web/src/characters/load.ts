@@ -41,10 +41,10 @@ export async function loadCharacter(files: CharacterFiles<File>): Promise<Loaded
   const loader = new GLTFLoader(manager);
   loader.register(parser => new VRMLoaderPlugin(parser));
   try {
-    const gltf = await loader.parseAsync(bytes, "");
+    const gltf = await loader.parseAsync(bytes, "").catch((error: unknown) => {
+      throw new Error(explain(main.name, error as Error), { cause: error });
+    });
     return prepare(main.name, gltf.scene, (gltf.userData["vrm"] as VRM | undefined) ?? null);
-  } catch (error) {
-    throw new Error(explain(main.name, error as Error));
   } finally {
     opened.forEach(URL.revokeObjectURL);
   }
@@ -58,7 +58,7 @@ function prepare(name: string, root: Object3D, vrm: VRM | null): LoadedCharacter
       return;
 
     if (object instanceof SkinnedMesh && !isBound(object))
-      throw new Error("a part of it follows a joint that its skin does not have.");
+      throw new Error(`${name} is damaged: a part of it follows a joint that its skin does not have.`);
 
     object.castShadow = true;
     object.receiveShadow = true;
@@ -81,7 +81,13 @@ function isBound({ geometry, skeleton }: SkinnedMesh): boolean {
   return true;
 }
 
+// Other messages of the loader are those of the script engine, which say nothing to a person.
 function explain(name: string, error: Error): string {
   const missing = /humanoid bones are required but not exist: (.*)$/.exec(error.message);
-  return missing ? `${name} lacks humanoid bones: ${missing[1]}.` : `${name} is damaged: ${error.message}`;
+  return missing ? `${name} lacks these bones: ${inWords(missing[1])}.` : `${name} is damaged, and cannot be shown. Export it again.`;
+}
+
+// leftUpperArm becomes left upper arm.
+function inWords(bones: string): string {
+  return bones.replace(/[A-Z]/g, letter => ` ${letter.toLowerCase()}`);
 }

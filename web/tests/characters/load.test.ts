@@ -40,7 +40,7 @@ test("the bones of a VRM are its normalized bones, and face forward", async () =
 });
 
 test("a VRM without a required bone says which", async () => {
-  await assert.rejects(load({ vrm: "1", without: ["rightHand", "rightIndexProximal", "rightLittleProximal"] }), /^Error: boxes\.vrm lacks humanoid bones: rightHand\.$/);
+  await assert.rejects(load({ vrm: "1", without: ["rightHand", "rightIndexProximal", "rightLittleProximal"] }), /^Error: boxes\.vrm lacks these bones: right hand\.$/);
 });
 
 test("a glTF file gives the joints of its skin with their names in the file", async () => {
@@ -81,6 +81,17 @@ test("a vertex that follows a joint outside its skin is a damaged file, and no p
   skins[0].joints.length = 3;
   const main = new File([toGlb(sample)], "broken.glb");
   await assert.rejects(loadCharacter({ main, parts: noParts }), /^Error: broken\.glb is damaged: a part of it follows a joint that its skin does not have\.$/);
+});
+
+test("a file that lacks its end says so, and no other fault shows words of the script engine", async () => {
+  const glb = new Uint8Array(toGlb(makeSample({ vrm: "1" })));
+  const cut = new File([glb.slice(0, glb.length - 500)], "cut.glb");
+  await assert.rejects(loadCharacter({ main: cut, parts: noParts }), /^Error: cut\.glb is cut off: its end is missing\.$/);
+
+  const sample = makeSample({ vrm: null });
+  (sample.json["accessors"] as { count: number }[])[0].count = 1e9;
+  const wrong = new File([toGlb(sample)], "wrong.glb");
+  await assert.rejects(loadCharacter({ main: wrong, parts: noParts }), /^Error: wrong\.glb is damaged, and cannot be shown\. Export it again\.$/);
 });
 
 test("a joint without weight may be any number, as some programs write it", async () => {

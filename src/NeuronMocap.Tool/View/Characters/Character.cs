@@ -15,6 +15,7 @@ internal sealed record CharacterState(CharacterRig Rig, SkeletonVariant Variant,
 internal sealed class Character
 {
     private readonly Lock _lock = new();
+    private readonly string _name;
     private readonly IReadOnlyList<CharacterNode> _nodes;
     private readonly IReadOnlyDictionary<string, int>? _humanoid;
     private readonly float? _lowest;
@@ -25,7 +26,7 @@ internal sealed class Character
     /// <exception cref="ApiException">The character cannot be driven.</exception>
     public Character(uint id, NewCharacterJson request)
     {
-        Id = id;
+        (Id, _name) = (id, string.IsNullOrWhiteSpace(request.Name) ? "The character" : request.Name);
         (_nodes, _humanoid, _lowest) = (request.ReadNodes(), request.Humanoid, request.Lowest);
         SkeletonVariant variant = ReadVariant(request.Variant) ?? SkeletonVariant.Neck1;
         _state = new CharacterState(Bind(variant), variant, ReadPerformer(request.Performer), request.Plant ?? true);
@@ -76,7 +77,7 @@ internal sealed class Character
         }
         catch (CharacterException exception)
         {
-            throw ApiException.BadRequest(exception.Message);
+            throw ApiException.BadRequest($"{_name} cannot follow a performer: {exception.Message}");
         }
     }
 }

@@ -22,13 +22,13 @@ internal sealed record CharacterBinding(bool IsHumanoid, int[] Nodes)
     {
         CharacterBinding binding = humanoid is null ? ByName(nodes, variant) : ByMap(nodes.Count, humanoid);
         HumanoidBone[] required = [.. Enumerable.Range(0, HumanoidBones.Count).Select(static bone => (HumanoidBone)bone).Where(HumanoidBones.IsRequired)];
-        string[] missing = [.. required.Where(bone => binding.NodeOf(bone) < 0).Select(VrmBoneNames.Of)];
+        string[] missing = [.. required.Where(bone => binding.NodeOf(bone) < 0).Select(VrmBoneNames.InWords)];
         if (binding.Nodes[0] < 0 || required.Length - missing.Length < LeastBones)
             throw new CharacterException(missing.Length == required.Length
-                ? "The character has no humanoid bones: none of its nodes has the name of a bone, such as Hips, Spine or LeftArm."
-                : $"The character lacks humanoid bones: {string.Join(", ", missing)}.");
+                ? "none of its nodes has the name of a bone, such as Hips, Spine or LeftArm."
+                : $"it lacks these bones: {string.Join(", ", missing)}.");
         if (missing.Length > 0)
-            problems.Add($"The character moves without the bones that it lacks: {string.Join(", ", missing)}.");
+            problems.Add($"The character lacks these bones, and moves without them: {string.Join(", ", missing)}.");
 
         return binding;
     }
@@ -57,7 +57,7 @@ internal sealed record CharacterBinding(bool IsHumanoid, int[] Nodes)
         foreach ((string name, int node) in humanoid)
         {
             if (node < 0 || node >= count)
-                throw new CharacterException($"The humanoid bone {name} refers to node {node}, which does not exist.");
+                throw new CharacterException($"the humanoid bone {name} refers to node {node}, which does not exist.");
             if (VrmBoneNames.TryFind(name, out HumanoidBone bone))
                 map[(int)bone] = node;
         }

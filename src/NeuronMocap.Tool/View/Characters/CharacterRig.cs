@@ -74,7 +74,7 @@ internal sealed class CharacterRig
         }
         catch (ArgumentException fault)
         {
-            throw new CharacterException($"The character cannot be driven: {fault.Message.Split(" (Parameter")[0]}");
+            throw new CharacterException(fault.Message.Split(" (Parameter")[0]);
         }
     }
 
@@ -92,12 +92,12 @@ internal sealed class CharacterRig
     private static void Check(IReadOnlyList<CharacterNode> nodes)
     {
         if (nodes.Count is 0 or > MaxNodes)
-            throw new CharacterException($"The character has {nodes.Count} nodes; a number from 1 to {MaxNodes} is possible.");
+            throw new CharacterException($"it has {nodes.Count} nodes, and a character has 1 to {MaxNodes}.");
 
         for (int i = 0; i < nodes.Count; i++)
         {
             if (nodes[i].Parent < -1 || nodes[i].Parent >= i)
-                throw new CharacterException($"Node {i} of the character comes before its parent.");
+                throw new CharacterException($"node {i} comes before its parent.");
         }
     }
 

@@ -12,6 +12,10 @@ internal static class VrmBoneNames
 
     public static string Of(HumanoidBone bone) => Names[(int)bone];
 
+    /// <summary>Writes the name in words: "left upper leg".</summary>
+    public static string InWords(HumanoidBone bone) =>
+        string.Concat(bone.ToString().Select(static (letter, place) => char.IsUpper(letter) && place > 0 ? $" {char.ToLowerInvariant(letter)}" : $"{char.ToLowerInvariant(letter)}"));
+
     public static bool TryFind(string name, out HumanoidBone bone) => Bones.TryGetValue(name, out bone);
 
     // VRM begins the thumb with its metacarpal bone, so its three names are one bone off.

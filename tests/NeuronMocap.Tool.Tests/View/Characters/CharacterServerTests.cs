@@ -169,13 +169,13 @@ public sealed class CharacterServerTests
     [Theory]
     [InlineData("{}", "no nodes")]
     [InlineData("{\"nodes\":[]}", "nodes")]
-    [InlineData("{\"nodes\":[null]}", "no humanoid bones")]
+    [InlineData("{\"nodes\":[null]}", "The character cannot follow a performer: none of its nodes has the name of a bone")]
     [InlineData("{\"nodes\":[{\"name\":\"Hips\",\"translation\":[1,2]}]}", "three numbers")]
     [InlineData("{\"nodes\":[{\"name\":\"Hips\",\"rotation\":[0,0,1]}]}", "four numbers")]
     [InlineData("{\"nodes\":[{\"name\":\"Hips\",\"parent\":5}]}", "before its parent")]
     [InlineData("{\"nodes\":[{\"name\":\"Hips\"}],\"humanoid\":{\"hips\":-1}}", "does not exist")]
     [InlineData("{\"nodes\":[{\"name\":\"Hips\"}],\"variant\":\"x\"}", "variant")]
-    [InlineData("{\"nodes\":[{\"name\":\"Hips\"}]}", "lacks humanoid bones: leftUpperLeg")]
+    [InlineData("{\"name\":\"cube.glb\",\"nodes\":[{\"name\":\"Hips\"}]}", "cube.glb cannot follow a performer: it lacks these bones: left upper leg, right")]
     [InlineData("{\"nodes\":7}", "JSON")]
     public async Task A_wrong_request_gets_a_sentence(string json, string words)
     {
