@@ -32,7 +32,7 @@ internal static class FileKinds
     private static readonly string[] BvhWords = ["HIERARCHY", "MOTION", "CHANNELS"];
 
     /// <summary>Determines the kind of a file by its contents.</summary>
-    /// <exception cref="NeuronException">The kind of the file is not supported.</exception>
+    /// <exception cref="UnreadKindException">The program does not read this kind of file.</exception>
     /// <exception cref="IOException">The file does not exist or cannot be read.</exception>
     /// <exception cref="UnauthorizedAccessException">The user does not have permission to read the file.</exception>
     public static FileKind Recognize(string path)
@@ -42,7 +42,7 @@ internal static class FileKinds
         if (RecordingReader.IsRecording(start))
             return FileKind.Recording;
         if (start.AsSpan().StartsWith("glTF"u8))
-            throw new NeuronException("It is a GLB file, which this program writes but does not read.");
+            throw new UnreadKindException($"'{path}' is a GLB file, which this program writes but does not read.") { IsGlb = true };
         if (IsBvh(start))
             return FileKind.Bvh;
         if (IsText(start) && IsCalculation(path))
@@ -105,7 +105,7 @@ internal static class FileKinds
         }
         catch (PlaybackException exception)
         {
-            throw new NeuronException($"{exception.Message} It is not a BVH file or a calculation export either.", exception);
+            throw new UnreadKindException($"{exception.Message} It is not a BVH file or a calculation export either.", exception);
         }
     }
 }

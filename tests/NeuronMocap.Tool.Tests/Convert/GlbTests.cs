@@ -231,7 +231,7 @@ public sealed class GlbTests : IDisposable
         await ConvertAsync(_folder["take.bvh"], _folder["b.glb"]);
         result = await ToolRunner.RunAsync("info", _folder["b.glb"]);
         Assert.Equal(1, result.ExitCode);
-        Assert.Contains("It is a GLB file", Assert.Single(result.Error), StringComparison.Ordinal);
+        Assert.Contains(".glb' is a GLB file", Assert.Single(result.Error), StringComparison.Ordinal);
     }
 
     [Fact]

@@ -9,10 +9,12 @@ internal static class BvhTakeFile
     private const string UsualName = "Char00";
 
     /// <summary>Finds out why a file cannot be a take; null if it can.</summary>
-    public static string? FindFault(string path)
+    /// <param name="path">The file.</param>
+    /// <param name="name">Its name for people.</param>
+    public static string? FindFault(string path, string name)
     {
         using BvhReader reader = BvhReader.Open(path);
-        return BvhSkeletonMap.TryCreate(reader.Hierarchy, out _, out string? reason) ? null : $"This is not a take of the 59 bones that Axis Neuron records. {reason}";
+        return BvhSkeletonMap.TryCreate(reader.Hierarchy, out _, out string? reason) ? null : $"'{name}' is not a take of the 59 bones that Axis Neuron records. {reason}";
     }
 
     public static void Read(string path, TakeReading reading)

@@ -1,6 +1,7 @@
 using System.Globalization;
 using System.Security.Cryptography;
 using NeuronMocap.Tool.Files;
+using NeuronMocap.Tool.Terminal;
 using NeuronMocap.Tool.View.Web;
 
 namespace NeuronMocap.Tool.View.Takes;
@@ -35,7 +36,7 @@ internal sealed class TakeLibrary(ScratchFolder scratch, string run, long upload
     /// <exception cref="IOException">The file cannot be read. The message is a sentence.</exception>
     public Take Open(string path, string name, bool isUpload = false, RotationOrder? order = null)
     {
-        FileKind kind = Recognize(path, name, order);
+        FileKind kind = Recognize(path, name, isUpload, order);
         Take take;
         Take? oldest;
         lock (_lock)
@@ -106,12 +107,16 @@ internal sealed class TakeLibrary(ScratchFolder scratch, string run, long upload
         Array.ForEach(takes, Close);
     }
 
-    private static FileKind Recognize(string path, string name, RotationOrder? order)
+    private static FileKind Recognize(string path, string name, bool isUpload, RotationOrder? order)
     {
         try
         {
             FileKind kind = new FileSettings(path, Output: null) { InputOrder = order }.RecognizeInput();
-            return kind == FileKind.Bvh && BvhTakeFile.FindFault(path) is { } fault ? throw new NeuronException(fault) : kind;
+            return kind == FileKind.Bvh && BvhTakeFile.FindFault(path, name) is { } fault ? throw new NeuronException(fault) : kind;
+        }
+        catch (NeuronException exception) when (exception is UnreadKindException || IsNamedCharacter(name))
+        {
+            throw new NeuronException(DescribeKind(TerminalText.Clean(name), isUpload, IsNamedCharacter(name) || exception is UnreadKindException { IsGlb: true }), exception);
         }
         catch (Exception exception) when (exception is NeuronException or IOException or UnauthorizedAccessException)
         {
@@ -119,6 +124,17 @@ internal sealed class TakeLibrary(ScratchFolder scratch, string run, long upload
             throw new NeuronException(FileFault.OfReading(exception, path).Replace(path, name, StringComparison.Ordinal), exception);
         }
     }
+
+    private static bool IsNamedCharacter(string name) => Path.GetExtension(name).ToLowerInvariant() is ".vrm" or ".glb" or ".gltf";
+
+    // The page uploads characters only if they have the name of a take.
+    private static string DescribeKind(string name, bool isUpload, bool isCharacter) => (isCharacter, isUpload) switch
+    {
+        (true, false) => $"'{name}' is a character, not a take. Start view without it, and drop it on the page.",
+        (true, true) => $"'{name}' is a GLB file. To show it as a character, give its name the ending .glb and drop it again.",
+        _ => $"'{name}' is neither a take nor a character. Takes are BVH files, recordings (.nmrec), calculation exports (.calc) and raw streams (.bin, .dat). "
+            + "Characters are VRM, GLB and glTF files.",
+    };
 
     // Returns the take that has to be closed.
     private Take? Add(Take take)

@@ -149,7 +149,7 @@ public sealed class TakeTests
     }
 
     [Theory]
-    [InlineData("picture.bvh", "not a picture", "not")]
+    [InlineData("picture.bvh", "not a picture", "'picture.bvh' is neither")]
     [InlineData("hand.bvh", Files.Takes.TwoJoints, "59 bones")]
     public void A_file_of_a_wrong_kind_is_one_sentence_with_its_name_or_reason(string name, string text, string words)
     {
