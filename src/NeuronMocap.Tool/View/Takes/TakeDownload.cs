@@ -76,7 +76,7 @@ internal sealed class TakeDownload(ScratchFolder scratch) : IDisposable
 
         await take.Completion.WaitAsync(cancellationToken);
         if (!HasMotion(take))
-            throw ApiException.Conflict($"{take.Name} holds no frames of motion.");
+            throw ApiException.Conflict($"'{take.Name}' holds no frames of motion.");
     }
 
     private static bool HasMotion(Take take) => take.Performers.Any(static performer => performer.Frames > 0);

@@ -23,7 +23,7 @@ public sealed class TakeDownloadTests
 
         JsonElement answer = await client.GetAsync($"takes/t1/download?format={wish}", HttpStatusCode.Conflict);
 
-        Assert.Equal("take.nmrec holds no frames of motion.", answer.GetProperty("error").GetString());
+        Assert.Equal("'take.nmrec' holds no frames of motion.", answer.GetProperty("error").GetString());
     }
 
     [Fact]
@@ -48,6 +48,6 @@ public sealed class TakeDownloadTests
 
         JsonElement answer = await client.GetAsync("takes/t1/download?format=glb", HttpStatusCode.Conflict);
 
-        Assert.Equal("still.bvh holds no frames of motion.", answer.GetProperty("error").GetString());
+        Assert.Equal("'still.bvh' holds no frames of motion.", answer.GetProperty("error").GetString());
     }
 }
