@@ -13,6 +13,8 @@ namespace NeuronMocap.Tool.View.Takes;
 /// <remarks>convert holds a take in memory, so only one runs at a time.</remarks>
 internal sealed class TakeDownload(ScratchFolder scratch) : IDisposable
 {
+    private const string Closed = "The take was closed.";
+
     private static readonly string[] Formats = ["bvh", "nmrec", "glb", "csv", "calc"];
 
     private readonly SemaphoreSlim _turn = new(1);
@@ -75,6 +77,8 @@ internal sealed class TakeDownload(ScratchFolder scratch) : IDisposable
             return;
 
         await take.Completion.WaitAsync(cancellationToken);
+        if (take.Closed.IsCancellationRequested)
+            throw ApiException.NotFound(Closed);
         if (!HasMotion(take))
             throw ApiException.Conflict($"'{take.Name}' holds no frames of motion.");
     }
@@ -113,7 +117,7 @@ internal sealed class TakeDownload(ScratchFolder scratch) : IDisposable
         }
         catch (OperationCanceledException) when (!cancellationToken.IsCancellationRequested)
         {
-            throw ApiException.NotFound("The take was closed.");
+            throw ApiException.NotFound(Closed);
         }
         finally
         {

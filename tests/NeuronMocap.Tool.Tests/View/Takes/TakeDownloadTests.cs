@@ -1,5 +1,9 @@
 using System.Net;
 using System.Text.Json;
+using Microsoft.AspNetCore.Http;
+using NeuronMocap.Tool.Files;
+using NeuronMocap.Tool.View.Takes;
+using NeuronMocap.Tool.View.Web;
 
 namespace NeuronMocap.Tool.Tests.View.Takes;
 
@@ -37,6 +41,21 @@ public sealed class TakeDownloadTests
         using HttpResponseMessage answer = await client.GetFileAsync("takes/t1/download?format=nmrec");
 
         Assert.Equal(await File.ReadAllBytesAsync(recording, Token), await answer.Content.ReadAsByteArrayAsync(Token));
+    }
+
+    [Fact]
+    public async Task A_take_that_is_closed_before_its_first_frame_says_so()
+    {
+        using var scratch = new ScratchFolder(long.MaxValue);
+        using var download = new TakeDownload(scratch);
+        using var take = new Take("t1", "take.nmrec", "take.nmrec", FileKind.Recording);
+        take.Start(() => take.Closed.WaitHandle.WaitOne());
+        Task sending = download.SendAsync(new DefaultHttpContext { Request = { QueryString = new QueryString("?format=glb") } }, take);
+
+        take.Dispose();
+
+        ApiException answer = await Assert.ThrowsAsync<ApiException>(() => sending);
+        Assert.Equal("The take was closed.", answer.Message);
     }
 
     [Fact]
