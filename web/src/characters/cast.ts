@@ -104,11 +104,14 @@ export class Cast {
     }
 
     for (const performer of this._page.performers.all) {
-      const isReplaced = this.all.some(each => each.performer === performer.info.key && each.place === 0);
+      const followers = this.all.filter(each => each.performer === performer.info.key);
+      performer.placesBeside = Math.max(0, ...followers.map(each => each.place));
+      const isReplaced = followers.some(each => each.place === 0);
       if (performer.figureReplaced === isReplaced)
         continue;
 
       performer.figureReplaced = isReplaced;
+      performer.group.position.set(0, 0, 0);
       performer.refresh();
     }
 
@@ -124,9 +127,22 @@ export class Cast {
   private _update(step: number): void {
     for (const [character, motion] of this._motions) {
       motion.update();
+      this._accompany(character, step);
       if (character.update(step))
         this._page.loop.invalidate();
     }
+  }
+
+  // The marks, the trails and the name of a performer go with the character in its place, and so does the camera.
+  private _accompany(character: Character, step: number): void {
+    const performer = this._page.performers.get(character.performer);
+    if (!performer?.hasPose || !character.isShown)
+      return;
+
+    const [x, , z] = performer.body.positions;
+    character.comeTo(x, z, performer.pose.time);
+    if (character.place === 0)
+      performer.glideTo(character.hipsOnStage.x - x, character.hipsOnStage.z - z, step);
   }
 
   // A character whose performer has left follows another one. Performers come one at a time, so a character that shares its performer moves to the next one
@@ -147,13 +163,19 @@ export class Cast {
     return performers.get(performer) && !isFree ? performer : best || performer;
   }
 
+  // Nobody would see a character of a hidden performer.
   private _leastFollowed(): string {
+    const everybody = [...this._page.performers.all];
+    const seen = everybody.filter(each => !each.hidden);
     let best = "";
     let fewest = Infinity;
-    for (const { info } of this._page.performers.all) {
+    for (const { info } of seen.length > 0 ? seen : everybody) {
       const count = this.all.filter(each => each.performer === info.key).length;
-      if (count < fewest)
-        (best = info.key, fewest = count);
+      if (count >= fewest)
+        continue;
+
+      best = info.key;
+      fewest = count;
     }
 
     return best;

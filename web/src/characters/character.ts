@@ -1,5 +1,6 @@
 import { Group, type Object3D, Vector3 } from "three";
 import { freeObject } from "./dispose";
+import { PlaceWidth } from "../scene/performer";
 import type { LoadedCharacter } from "./load";
 import { CharacterPose } from "./pose";
 import type { Skeleton } from "./skeleton";
@@ -12,9 +13,6 @@ export interface CharacterBones {
   readonly problems: readonly string[];
 }
 
-/** Metres between a performer and a character beside it. */
-const Beside = 1.1;
-
 /** Springs become unstable in longer steps, in milliseconds. */
 const LongestStep = 50;
 
@@ -24,6 +22,9 @@ const SwingFor = 2000;
 /** A pose farther from the one before is another moment: metres of the hips, and milliseconds. */
 const LongestMove = 0.5;
 const LongestPause = 500;
+
+/** Poses of one frame have the same time, in milliseconds. */
+const SameTime = 0.5;
 
 type Point = [number, number, number];
 
@@ -48,6 +49,8 @@ export class Character {
   private _hips: Object3D | null = null;
   private _pose = new CharacterPose(0);
   private _next = new CharacterPose(0);
+  private _place = 0;
+  private _hasCome = false;
   private _since = Infinity;
   private _hasPose = false;
   private _hasSwung = false;
@@ -79,13 +82,21 @@ export class Character {
 
   /** Number of places beside the performer, 0 for the performer's own place. */
   set place(value: number) {
-    this._hasSwung &&= value === this.place;
-    this.group.position.x = value * Beside;
+    if (value === this._place)
+      return;
+
+    this.group.position.x += (value - this._place) * PlaceWidth;
+    this.hipsOnStage.x += (value - this._place) * PlaceWidth;
+    this._place = value;
+    this._hasSwung = false;
   }
 
   get place(): number {
-    return Math.round(this.group.position.x / Beside);
+    return this._place;
   }
+
+  /** Where the hips are on the stage, in metres. */
+  readonly hipsOnStage = new Vector3();
 
   /** Takes over how the server numbers the bones. */
   bind(bones: CharacterBones): void {
@@ -117,6 +128,28 @@ export class Character {
     return true;
   }
 
+  /**
+   * Puts the character where its performer stands, if it has just come or jumped. From then on it walks with the stride of its own legs. The time is that of
+   * the performer's pose.
+   */
+  comeTo(x: number, z: number, time: number): void {
+    if (!this._hips || !this._hasPose)
+      return;
+
+    const hips = this._hips.getWorldPosition(this._point);
+    this._hasCome &&= hips.distanceTo(this.hipsOnStage) < LongestMove;
+    if (!this._hasCome) {
+      const toX = x + this._place * PlaceWidth - hips.x, toZ = z - hips.z;
+      this.group.position.x += toX;
+      this.group.position.z += toZ;
+      hips.x += toX;
+      hips.z += toZ;
+      this._hasCome = Math.abs(time - this._pose.time) < SameTime;
+    }
+
+    this.hipsOnStage.copy(hips);
+  }
+
   /** Moves what follows the bones. Returns whether the picture changes. */
   update(step: number): boolean {
     if (!this.group.visible || this._since > SwingFor)
@@ -143,6 +176,7 @@ export class Character {
     this.group.visible = false;
     this._hasPose = false;
     this._hasSwung = false;
+    this._hasCome = false;
   }
 
   /** Positions of the bones in the world, by the names of the stream's bones. */

@@ -44,8 +44,8 @@ export class Labels {
 
       const { head } = label;
       const positions = performer.body.positions;
-      this._point.set(positions[head], positions[head + 1] + AboveHead, positions[head + 2]).project(this._stage.camera);
-      const isSeen = performer.hasPose && !performer.hidden && Math.abs(this._point.z) < 1 && Math.abs(this._point.x) < 1.05;
+      this._point.set(positions[head], positions[head + 1] + AboveHead, positions[head + 2]).add(performer.group.position).project(this._stage.camera);
+      const isSeen = performer.isOnStage && Math.abs(this._point.z) < 1 && Math.abs(this._point.x) < 1.05;
       if (label.isSeen !== isSeen)
         label.element.hidden = !(label.isSeen = isSeen);
       if (!isSeen)

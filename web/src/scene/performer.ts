@@ -9,13 +9,20 @@ import type { Figure } from "./figure";
 import { Sticks } from "./sticks";
 import { Trails } from "./trails";
 
+/** Metres between a performer and a character beside it. */
+export const PlaceWidth = 1.1;
+
+/** Marks and names glide to a character in this time, in milliseconds. They jump over longer ways, in metres. */
+const Glide = 300;
+const LongestGlide = 0.3;
+
 /** One performer on the stage. */
 export class Performer {
   readonly info: PerformerInfo;
   readonly body: Body;
   /** The pose that the stage shows. */
   readonly pose = new Pose();
-  /** Holds everything that the stage shows of the performer. Its axes are the world's. */
+  /** Holds everything that the stage shows of the performer but characters. Its axes are the world's. */
   readonly group = new Group();
   /** False until the first pose. */
   hasPose = false;
@@ -25,6 +32,8 @@ export class Performer {
   figureReplaced = false;
   /** Hidden by the list of performers. */
   hidden = false;
+  /** Number of places beside the performer that characters have. */
+  placesBeside = 0;
   private readonly _sticks: Sticks;
   private readonly _axes: JointAxes;
   private readonly _trails: Trails;
@@ -41,6 +50,20 @@ export class Performer {
     this._contacts = new ContactMarks(this.body, info.colour);
     this.group.add(this._sticks.group, this._axes.lines, this._trails.mesh, ...this._contacts.meshes);
     this.group.visible = false;
+  }
+
+  /** Whether the stage shows the performer, or the character in its place. */
+  get isOnStage(): boolean {
+    return this.hasPose && !this.hidden;
+  }
+
+  /** Where the hips are on the stage, in metres. */
+  get x(): number {
+    return this.body.positions[0] + this.group.position.x;
+  }
+
+  get z(): number {
+    return this.body.positions[2] + this.group.position.z;
   }
 
   get hasFigure(): boolean {
@@ -67,6 +90,14 @@ export class Performer {
     this.hasPose = true;
     this.poses++;
     this._isNew = true;
+  }
+
+  /** Moves the group on the floor, so that marks, trails and the name go with the character in the performer's place. */
+  glideTo(x: number, z: number, step: number): void {
+    const { position } = this.group;
+    const part = Math.hypot(x - position.x, z - position.z) > LongestGlide ? 1 : 1 - Math.exp(-step / Glide);
+    position.x += (x - position.x) * part;
+    position.z += (z - position.z) * part;
   }
 
   setContacts(left: boolean, right: boolean): void {

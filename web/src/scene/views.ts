@@ -2,7 +2,7 @@ import { Vector3 } from "three";
 import type { Keys } from "../page/keys";
 import type { SettingsStore } from "../page/settings";
 import type { CameraRig } from "./cameraRig";
-import type { Performer } from "./performer";
+import { type Performer, PlaceWidth } from "./performer";
 import type { Performers } from "./performers";
 import type { Stage } from "./stage";
 
@@ -29,7 +29,9 @@ export class Views {
   private readonly _centre = new Vector3();
   private readonly _before = new Vector3();
   private _spread = 0;
+  /** Places of performers and characters, and the spread, that the camera was last moved back for. */
   private _framed = 0;
+  private _framedSpread = 0;
   private _following = false;
   private readonly _listeners: (() => void)[] = [];
   /** The performer that the camera follows, or null for all. */
@@ -78,28 +80,32 @@ export class Views {
     if (!this._measure())
       return;
 
-    const width = (HalfWidth + this._spread) / this._stage.camera.aspect;
     this._rig.target.copy(this._centre);
-    this._rig.distance = Math.max(HalfHeight, width) / Slope + 0.4 * this._spread;
+    this._rig.distance = this._distanceFor(this._spread);
+    this._framedSpread = this._spread;
     this._before.copy(this._centre);
   }
 
-  /** Moves the camera along with the performers. */
+  /** Moves the camera along with the performers, and back while they walk apart. */
   update(follow: boolean): void {
     if (!this._measure()) {
       this._framed = 0;
       return;
     }
 
-    const count = this._count();
-    if (count !== this._framed) {
+    const places = this._countPlaces();
+    if (places !== this._framed) {
       const first = this._framed === 0;
-      this._framed = count;
+      this._framed = places;
       this.frame();
       if (first)
         this._rig.jump();
     } else if (follow && this._following) {
       this._rig.target.add(this._centre).sub(this._before);
+      if (this._spread > this._framedSpread) {
+        this._rig.distance += this._distanceFor(this._spread) - this._distanceFor(this._framedSpread);
+        this._framedSpread = this._spread;
+      }
     }
 
     this._following = follow;
@@ -113,32 +119,37 @@ export class Views {
       listener();
   }
 
-  private _count(): number {
+  private _distanceFor(spread: number): number {
+    return Math.max(HalfHeight, (HalfWidth + spread) / this._stage.camera.aspect) / Slope + 0.4 * spread;
+  }
+
+  private get _one(): Performer | undefined {
+    const one = this.followed === null ? undefined : this._performers.get(this.followed);
+    return one?.isOnStage ? one : undefined;
+  }
+
+  private _countPlaces(): number {
+    if (this._one)
+      return 1 + this._one.placesBeside;
+
     let count = 0;
     for (const performer of this._performers.all) {
-      if (performer.hasPose)
-        count++;
+      if (performer.isOnStage)
+        count += 1 + performer.placesBeside;
     }
 
     return count;
   }
 
-  // The centre of the followed performers at the height of the hips, and their distance from it. False if there are none.
+  // The centre of the followed performers and the characters beside them, at the height of the hips, and their distance from it. False if there are none.
   private _measure(): boolean {
-    const one = this.followed === null ? undefined : this._performers.get(this.followed);
-    if (one?.hasPose) {
-      this._centre.set(one.body.positions[0], this._heightOf(one), one.body.positions[2]);
-      this._spread = 0;
-      return true;
-    }
-
     let count = 0, left = Infinity, right = -Infinity, back = Infinity, front = -Infinity, height = 0;
-    for (const performer of this._performers.all) {
-      if (!performer.hasPose)
+    for (const performer of this._one ? [this._one] : this._performers.all) {
+      if (!performer.isOnStage)
         continue;
-      const x = performer.body.positions[0], z = performer.body.positions[2];
+      const { x, z } = performer;
       left = Math.min(left, x);
-      right = Math.max(right, x);
+      right = Math.max(right, x + performer.placesBeside * PlaceWidth);
       back = Math.min(back, z);
       front = Math.max(front, z);
       height += this._heightOf(performer);
