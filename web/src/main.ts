@@ -30,7 +30,10 @@ const stage = new Stage(slots.stage, () => {
   resized = true;
   loop.invalidate();
 });
-const loop = new Loop(() => stage.draw());
+const loop = new Loop(() => {
+  stage.draw();
+  page.feed.drawn();
+});
 const performers = new Performers(stage, key => api.bytes(figureAddress(key)));
 const page: Page = {
   api,

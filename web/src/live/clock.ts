@@ -1,4 +1,4 @@
-const Samples = 8;
+const Samples = 16;
 
 /** How far the server's clock is ahead of this computer's, from the answers to pings. */
 export class ServerClock {
@@ -21,6 +21,11 @@ export class ServerClock {
     }
 
     this._offset = this._offsets[this._trips.indexOf(Math.min(...this._trips))];
+  }
+
+  /** Takes notice of something that the server sent. It cannot have arrived before. */
+  arrived(server: number, received: number): void {
+    this._offset = Math.max(this._offset, server - received);
   }
 }
 

@@ -13,8 +13,9 @@ export class LiveFeed {
   /** Messages and bytes since the page was opened. */
   received = 0;
   receivedBytes = 0;
-  /** Milliseconds from the arrival of the newest shown pose at the server to its picture, or NaN. */
+  /** Milliseconds from the arrival of the newest shown pose at the server until its picture was drawn, or NaN. */
   delay = NaN;
+  private _shown = NaN;
   private readonly _api: Api;
   private readonly _connection: Connection;
   private readonly _performers: Performers;
@@ -84,17 +85,27 @@ export class LiveFeed {
     if (this._newest.size === 0)
       return;
 
-    const now = unixNow() + this._connection.clock.offset;
+    const now = unixNow();
     for (const [avatar, view] of this._newest) {
       const performer: Performer | undefined = this._performers.withIndex(avatar);
       if (!performer || !decodePose(view, this._pose))
         continue;
 
       performer.show(this._pose);
-      this.delay = now - this._pose.time;
+      this._connection.clock.arrived(this._pose.time, now);
+      this._shown = this._pose.time;
     }
 
     this._newest.clear();
+  }
+
+  /** The picture of the newest poses was drawn. */
+  drawn(): void {
+    if (Number.isNaN(this._shown))
+      return;
+
+    this.delay = unixNow() + this._connection.clock.offset - this._shown;
+    this._shown = NaN;
   }
 
   // Open only while somebody looks at live motion.

@@ -1,5 +1,6 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
+import { ServerClock, unixNow } from "../../src/live/clock";
 import type { Connection, ConnectionState } from "../../src/live/connection";
 import { LiveFeed } from "../../src/live/feed";
 import type { ServerMessage } from "../../src/live/messages";
@@ -26,7 +27,7 @@ function createFeed() {
   let tell = (_: ServerMessage): void => {};
   const connection = {
     state: "connecting" as ConnectionState,
-    clock: { offset: 0 },
+    clock: new ServerClock(),
     hasStream: true,
     onState: (listener: typeof tellState) => { tellState = listener; },
     onMessage: (listener: typeof tell) => { tell = listener; },
@@ -53,15 +54,17 @@ function createFeed() {
       connection.state = state;
       tellState(state);
     },
-    receive: (avatar: number, frame: number) => sockets.at(-1)!.dispatchEvent(new MessageEvent("message", { data: pose(avatar, frame) })),
+    receive: (avatar: number, frame: number, time = 0) => sockets.at(-1)!.dispatchEvent(new MessageEvent("message", { data: pose(avatar, frame, time) })),
   };
 }
 
-function pose(avatar: number, frame: number): ArrayBuffer {
+function pose(avatar: number, frame: number, time: number): ArrayBuffer {
   const view = new DataView(new ArrayBuffer(386));
   view.setUint8(0, 1);
   view.setUint8(1, 1);
   view.setInt32(4, avatar, true);
+  view.setUint32(8, time * 1000 % 4294967296, true);
+  view.setInt32(12, Math.floor(time * 1000 / 4294967296), true);
   view.setUint32(16, frame, true);
   return view.buffer;
 }
@@ -137,4 +140,25 @@ test("feet that touch the ground do so after a take and with another name", () =
   assert.equal(onGround.size, 0);
   feed.resume();
   assert.deepEqual(onGround.get("0-0"), [true, true]);
+});
+
+test("the delay lasts until the picture is drawn, and is never negative", async () => {
+  const { feed, say, become, receive } = createFeed();
+  become("open");
+  say(add(0));
+  receive(0, 1, unixNow());
+  feed.update();
+  assert.ok(Number.isNaN(feed.delay));
+  await new Promise(resolve => setTimeout(resolve, 20));
+  feed.drawn();
+  assert.ok(feed.delay >= 19, `${feed.delay}`);
+
+  // The clock of the server is ahead, and no ping has told so.
+  receive(0, 2, unixNow() + 5000);
+  feed.update();
+  feed.drawn();
+  assert.ok(feed.delay >= 0, `${feed.delay}`);
+  feed.delay = NaN;
+  feed.drawn();
+  assert.ok(Number.isNaN(feed.delay));
 });
