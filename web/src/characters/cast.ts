@@ -16,7 +16,9 @@ export class Cast {
   private readonly _motions = new Map<Character, CharacterMotion>();
 
   constructor(page: Page, takes: Takes, changed: () => void) {
-    (this._page = page, this._takes = takes, this._changed = changed);
+    this._page = page;
+    this._takes = takes;
+    this._changed = changed;
     page.performers.onChange(() => this._assign());
     page.feed.onChange(() => this._assign());
     page.connection.onState(() => this._adjust());

@@ -13,12 +13,17 @@ export class CharacterMotion {
   private readonly _character: Character;
   private readonly _changed: () => void;
   private _source: LiveMotion | TakeMotion | null = null;
+  // The take, the performer and how it is followed, or empty for nobody.
   private _goal = "";
+  // Counts starts: what answers to an earlier one is too late. -1 after the end.
   private _attempt = 0;
 
   /** @param changed Called when the server has bound the bones. */
   constructor(page: Page, takes: Takes, character: Character, changed: () => void) {
-    (this._page = page, this._takes = takes, this._character = character, this._changed = changed);
+    this._page = page;
+    this._takes = takes;
+    this._character = character;
+    this._changed = changed;
   }
 
   /** Introduces the character to the server. Throws an ApiError with a sentence if the server cannot move it. */

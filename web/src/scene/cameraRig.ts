@@ -65,6 +65,7 @@ export class CameraRig {
 
   /** Looks from a direction, on the shorter way round. */
   lookFrom(yaw: number, pitch: number, flat: boolean): void {
+    // The same angle as now, less than half a turn from the new one.
     this._now.yaw = yaw - MathUtils.euclideanModulo(yaw - this._now.yaw + Math.PI, 2 * Math.PI) + Math.PI;
     this.yaw = yaw;
     this.pitch = pitch;

@@ -39,7 +39,7 @@ export class Performer {
   private readonly _trails: Trails;
   private readonly _contacts: ContactMarks;
   private _figure: Figure | null = null;
-  private _isNew = false;
+  private _hasChanged = false;
 
   constructor(info: PerformerInfo, pictureSize: Vector2, isSoftware: boolean) {
     this.info = info;
@@ -80,7 +80,7 @@ export class Performer {
     this._figure?.dispose();
     this._figure = figure;
     this.group.add(figure.root);
-    this._isNew = true;
+    this._hasChanged = true;
   }
 
   /** Shows a pose from now on. Copies it. */
@@ -89,7 +89,7 @@ export class Performer {
     this.body.show(pose);
     this.hasPose = true;
     this.poses++;
-    this._isNew = true;
+    this._hasChanged = true;
   }
 
   /** Moves the group on the floor, so that marks, trails and the name go with the character in the performer's place. */
@@ -107,10 +107,10 @@ export class Performer {
   /** Moves what is visible to the newest pose. Returns whether the picture changes. */
   update(settings: Settings, step: number): boolean {
     const faded = this._contacts.update(step, settings.contacts);
-    if (!this._isNew)
+    if (!this._hasChanged)
       return faded;
 
-    this._isNew = false;
+    this._hasChanged = false;
     this.group.visible = this.hasPose && !this.hidden;
     const withFigure = settings.look === "figure" && this._figure !== null;
     this._sticks.group.visible = !withFigure && !this.figureReplaced;
@@ -134,7 +134,7 @@ export class Performer {
 
   /** The settings or what replaces the figure have changed. */
   refresh(): void {
-    this._isNew = true;
+    this._hasChanged = true;
   }
 
   dispose(): void {

@@ -142,7 +142,7 @@ export class Trails {
   // Only the new pieces go to the graphics card.
   private _upload(piece: number, count: number): void {
     for (const attribute of [this._start, this._end, this._born]) {
-      if (count > 1)
+      if (count === PiecesPerLimb)
         attribute.clearUpdateRanges();
       attribute.addUpdateRange(piece * Limbs.length * attribute.itemSize, count * Limbs.length * attribute.itemSize);
       attribute.needsUpdate = true;
