@@ -51,6 +51,10 @@ export class FakeElement extends EventTarget {
   querySelector(name: string): FakeElement | undefined {
     return this.all(name)[0];
   }
+
+  querySelectorAll(names: string): FakeElement[] {
+    return names.split(", ").flatMap(name => this.all(name));
+  }
 }
 
 class FakeOption extends FakeElement {

@@ -70,7 +70,10 @@ export class Transport {
       step("PageUp", "A second back", () => actions.seek(playback.time - Second)),
       step("PageDown", "A second forward", () => actions.seek(playback.time + Second)),
       key("Home", "To the start", () => actions.seek(playback.start)),
-      key("End", "To the end", () => actions.seek(playback.end)),
+      key("End", "To the end", () => {
+        playback.pause();
+        actions.seek(playback.end);
+      }),
       key("<", "Slower", () => playback.changeSpeed(-1)),
       key(">", "Faster", () => playback.changeSpeed(1)),
       key("l", "Loop", () => playback.toggleLoop()),
