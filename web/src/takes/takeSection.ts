@@ -2,15 +2,16 @@ import { element, setText } from "../page/dom";
 import type { Page } from "../page/page";
 import { wordButton } from "../panel/buttons";
 import { downloadButtons } from "../panel/downloads";
+import type { IconName } from "../panel/icons";
 import { KindWords, type TakeInfo } from "./info";
 import type { Playback } from "./playback";
 import { clock } from "./ticks";
 
-/** The section of the panel about the take: what it is, what is wrong with it, downloads, and the way back to live motion. */
+/** The section of the panel about the take: what it is, what is wrong with it, downloads, and the way back. */
 export class TakeSection {
   private readonly _page: Page;
   private readonly _playback: Playback;
-  private readonly _close: () => void;
+  private readonly _back: () => void;
   private readonly _figures = element("dl", { class: "figures" });
   private readonly _share = element("small");
   private readonly _bar = element("progress", { max: "1", "aria-label": "Reading the file" });
@@ -20,10 +21,11 @@ export class TakeSection {
   private _downloads: HTMLElement = element("div");
   private _shown: string | null = null;
 
-  constructor(page: Page, playback: Playback, close: () => void) {
+  /** @param back Shows again what the program was started with. */
+  constructor(page: Page, playback: Playback, back: () => void) {
     this._page = page;
     this._playback = playback;
-    this._close = close;
+    this._back = back;
   }
 
   /** Shows what the server knows of a take now. The buttons of a take stay, because one of them may have the focus. */
@@ -63,10 +65,23 @@ export class TakeSection {
       element("h2", {}, "Take"),
       element("p", { class: "state-line" }, element("strong", { class: "name" }, info.name)),
       this._figures, this._reading, this._problems, this._part, this._downloads);
-    if (this._page.connection.hello?.mode !== "take")
-      place.append(element("div", { class: "buttons" }, wordButton("live", "Back to live", this._close)));
+    const hello = this._page.connection.hello;
+    if (hello?.mode !== "take")
+      this._addBack("live", "Back to live");
+    else if (hello.take && hello.take !== info.id)
+      this._addBack("back", `Back to ${fileNameOf(hello.source)}`);
     this.showPart();
   }
+
+  private _addBack(icon: IconName, words: string): void {
+    const button = wordButton(icon, words, this._back);
+    button.title = words;
+    this._page.slots.take.append(element("div", { class: "buttons" }, button));
+  }
+}
+
+function fileNameOf(path: string): string {
+  return path.slice(Math.max(path.lastIndexOf("/"), path.lastIndexOf("\\")) + 1);
 }
 
 function framesOf(frames: number, rate: number | null): string {

@@ -26,7 +26,7 @@ class OpenTakes implements Takes {
 
   constructor(page: Page) {
     this._page = page;
-    this._screen = new TakeScreen(page, () => this.close());
+    this._screen = new TakeScreen(page, () => this._goBack());
     page.connection.onMessage(message => {
       if (message.type === "hello")
         void page.notices.attempt(() => this._check(message));
@@ -66,6 +66,14 @@ class OpenTakes implements Takes {
     this._page.performers.clear();
     this._page.feed.resume();
     this._page.loop.invalidate();
+  }
+
+  private _goBack(): void {
+    const take = this._page.connection.hello?.take;
+    if (take)
+      void this._page.notices.attempt(() => this.open(take));
+    else
+      this.close();
   }
 
   private _leave(): void {
