@@ -2,6 +2,7 @@ import type { Connection } from "../live/connection";
 import type { LiveFeed } from "../live/feed";
 import type { Performers } from "../scene/performers";
 import type { Stage } from "../scene/stage";
+import type { TakeInfo } from "../takes/info";
 import type { Api } from "./api";
 import type { Drops } from "./drops";
 import type { Keys } from "./keys";
@@ -34,10 +35,14 @@ export interface Page {
 export interface Takes {
   /** The take that is shown, or null for live motion. */
   readonly current: string | null;
+  /** What the server knows of this take now. */
+  readonly info: TakeInfo | null;
   /** Shows a take of the server instead of the live motion. */
   open(id: string): Promise<void>;
   /** Returns to the live motion. */
   close(): void;
+  /** Calls a function when another take is shown, or more is known of it. */
+  onChange(listener: () => void): void;
 }
 
 /** What the folder characters gives to the page. */

@@ -23,8 +23,4 @@ export class Overlay {
     setText(this._text, situation.text);
     setText(this._advice, situation.advice);
   }
-
-  hide(): void {
-    this._box.hidden = true;
-  }
 }

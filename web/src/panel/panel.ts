@@ -9,13 +9,10 @@ import { Hud } from "./hud";
 import { Overlay } from "./overlay";
 import { PerformerSection } from "./performerSection";
 import { Recorder } from "./recorder";
-import { describe, type Situation } from "./situation";
+import { describe, describeTake, type Situation } from "./situation";
 import { StreamSection } from "./streamSection";
 import { createToolbar } from "./toolbar";
 import { ZeroOut } from "./zeroOut";
-
-// The program shows a file: there is no stream.
-const OfFile: Situation = { tone: "good", title: "Take", text: "", advice: "", needsWords: false };
 
 /** All that is not the picture: bars, panel, and the messages of states. */
 export class Panel {
@@ -25,6 +22,7 @@ export class Panel {
   status: Status | null = null;
   private readonly _page: Page;
   private readonly _connection: Connection;
+  private readonly _takes: Takes;
   private readonly _header: Header;
   private readonly _overlay: Overlay;
   private readonly _stream: StreamSection;
@@ -33,6 +31,7 @@ export class Panel {
   constructor(page: Page, connection: Connection, takes: Takes, settings: SettingsStore, views: Views) {
     this._page = page;
     this._connection = connection;
+    this._takes = takes;
     this._header = new Header(settings, page.keys, page.drops);
     this._overlay = new Overlay(page.slots.stage);
     this._stream = new StreamSection(page.slots.stream);
@@ -51,6 +50,7 @@ export class Panel {
     });
     page.performers.onChange(() => this.update());
     page.feed.onChange(() => this.update());
+    takes.onChange(() => this.update());
     connection.onMessage(message => {
       if (message.type === "hello") {
         zeroOut.allow(message.canCommand);
@@ -71,7 +71,8 @@ export class Panel {
   update(): void {
     const { _page: page, _connection: connection } = this;
     const isFile = !connection.hasStream;
-    this.situation = isFile && connection.state === "open" ? OfFile : describe(connection.state, connection.refusal, this.status, page.performers.count);
+    const ofTake = describeTake(this._takes.info);
+    this.situation = isFile && connection.state === "open" ? ofTake : describe(connection.state, connection.refusal, this.status, page.performers.count);
     page.slots.stream.hidden = isFile;
     document.body.classList.toggle("without-stream", isFile);
     document.body.classList.toggle("denied", connection.state === "denied");
@@ -79,9 +80,6 @@ export class Panel {
     this._stream.show(this.situation, this.status, connection.state === "open" ? this.hud.delay : NaN);
     this._performers.show(this.status);
     // A take needs the program as well, but not its source.
-    if (page.feed.paused && connection.state === "open")
-      this._overlay.hide();
-    else
-      this._overlay.show(this.situation, page.performers.anyPosed);
+    this._overlay.show(page.feed.paused && connection.state === "open" ? ofTake : this.situation, page.performers.anyPosed);
   }
 }

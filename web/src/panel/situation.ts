@@ -1,5 +1,6 @@
 import type { ConnectionState } from "../live/connection";
 import type { Status } from "../live/messages";
+import type { TakeInfo } from "../takes/info";
 
 export type Tone = "good" | "busy" | "warning" | "bad";
 
@@ -29,6 +30,13 @@ export function describe(connection: ConnectionState, refusal: string, status: S
     case "open":
       return status === null ? say("busy", "Connecting to the program", "", "") : ofSource(status, performers);
   }
+}
+
+/** Tells about a take what the stage must say. A take that the program still reads may get frames. */
+export function describeTake(take: TakeInfo | null): Situation {
+  return take !== null && take.progress >= 1 && take.performers.every(performer => performer.frames === 0)
+    ? say("warning", "This take has no frames", take.problems[0] ?? "", "Open another file.")
+    : { tone: "good", title: "Take", text: "", advice: "", needsWords: false };
 }
 
 // The words and the advice of the server are those of neuron-mocap watch. The texts here stand in where it has none.

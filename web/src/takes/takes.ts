@@ -22,7 +22,8 @@ class OpenTakes implements Takes {
   private readonly _page: Page;
   private readonly _screen: TakeScreen;
   private readonly _wishes = new Wishes();
-  private _current: string | null = null;
+  private readonly _listeners: (() => void)[] = [];
+  private _info: TakeInfo | null = null;
 
   constructor(page: Page) {
     this._page = page;
@@ -45,7 +46,15 @@ class OpenTakes implements Takes {
   }
 
   get current(): string | null {
-    return this._current;
+    return this._info?.id ?? null;
+  }
+
+  get info(): TakeInfo | null {
+    return this._info;
+  }
+
+  onChange(listener: () => void): void {
+    this._listeners.push(listener);
   }
 
   async open(id: string): Promise<void> {
@@ -59,7 +68,7 @@ class OpenTakes implements Takes {
 
   close(): void {
     this._wishes.replace();
-    if (this._current === null)
+    if (this._info === null)
       return;
 
     this._leave();
@@ -77,8 +86,14 @@ class OpenTakes implements Takes {
   }
 
   private _leave(): void {
-    this._current = null;
+    this._know(null);
     this._screen.leave();
+  }
+
+  private _know(info: TakeInfo | null): void {
+    this._info = info;
+    for (const listener of this._listeners)
+      listener();
   }
 
   private async _load(id: string, wish: symbol): Promise<TakeInfo> {
@@ -93,7 +108,7 @@ class OpenTakes implements Takes {
   private async _start(info: TakeInfo, wish: symbol): Promise<void> {
     this._wishes.fulfil(wish);
     this._leave();
-    this._current = info.id;
+    this._know(info);
     this._page.feed.pause();
     this._page.performers.clear();
     const player = this._screen.start(info.id);
@@ -147,13 +162,13 @@ class OpenTakes implements Takes {
   private async _check(hello: Hello): Promise<void> {
     const { player } = this._screen;
     const offered = hello.mode === "take" && hello.take ? hello.take : null;
-    if (this._current === null && offered !== null)
+    if (this.current === null && offered !== null)
       await this.open(offered);
-    if (this._current === null || this._current === hello.take)
+    if (this.current === null || this.current === hello.take)
       return;
 
     try {
-      await this._page.api.get<TakeInfo>(`takes/${encodeURIComponent(this._current)}`);
+      await this._page.api.get<TakeInfo>(`takes/${encodeURIComponent(this.current)}`);
     } catch (error) {
       if (this._screen.player !== player || !(error instanceof ApiError) || error.status !== NotFound)
         return;
@@ -180,6 +195,7 @@ class OpenTakes implements Takes {
         if (this._screen.player !== player)
           return;
 
+        this._know(now);
         await this._screen.show(now);
         [known, isShown] = [now, true];
       } catch (error) {

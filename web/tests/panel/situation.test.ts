@@ -1,7 +1,9 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import type { Status } from "../../src/live/messages";
-import { describe } from "../../src/panel/situation";
+import { describe, describeTake } from "../../src/panel/situation";
+import type { TakeInfo } from "../../src/takes/info";
+import { performer } from "../performers";
 
 function status(state: string, words = "", advice = ""): Status {
   return { state, words, advice, address: "192.168.1.20:7001", performers: [], bytesPerSecond: 0, reconnects: 0 };
@@ -43,4 +45,21 @@ test("a problem is told although frames arrive", () => {
   const situation = describe("open", "", status("receiving", "Values without a skeleton", "Turn on displacement."), 0);
   assert.equal(situation.tone, "warning");
   assert.equal(situation.advice, "Turn on displacement.");
+});
+
+test("a take without frames is no empty stage", () => {
+  const still = { ...performer(), frames: 0, start: 0, end: 0, rate: null, gaps: [] };
+  const empty: TakeInfo = {
+    id: "1", name: "empty.bvh", kind: "bvh", duration: 0, progress: 1, performers: [still], problems: ["The file holds a skeleton but no frames."],
+  };
+  const situation = describeTake(empty);
+  assert.ok(situation.needsWords && situation.advice !== "");
+  assert.equal(situation.title, "This take has no frames");
+  assert.equal(situation.text, "The file holds a skeleton but no frames.");
+  assert.ok(describeTake({ ...empty, performers: [] }).needsWords);
+
+  // The program may find frames, and a performer who moves is enough.
+  assert.equal(describeTake({ ...empty, progress: 0.5 }).needsWords, false);
+  assert.equal(describeTake({ ...empty, performers: [still, { ...still, frames: 1 }] }).needsWords, false);
+  assert.equal(describeTake(null).needsWords, false);
 });
