@@ -1,5 +1,6 @@
 import { element } from "../page/dom";
 import type { Api } from "../page/api";
+import { wordsOf } from "./boneWords";
 import type { CurveData, TakeInfo } from "./info";
 import { Plot } from "./plot";
 import type { TimeView } from "./timeView";
@@ -40,7 +41,8 @@ export class PlotSection {
     const isNew = this._info?.id !== info.id || this._bone.options.length === 0;
     this._info = info;
     if (isNew && info.performers.length > 0) {
-      this._bone.replaceChildren(...info.performers[0].bones.map(bone => element("option", { value: bone.name }, wordsOf(bone.name))));
+      const { bones, variant } = info.performers[0];
+      this._bone.replaceChildren(...bones.map(({ name }) => element("option", { value: name, title: name }, wordsOf(name, variant))));
       this.plot.show([], "Plot");
     }
 
@@ -75,6 +77,7 @@ export class PlotSection {
     // The variants of the skeleton name two bones differently.
     const bone = Math.max(0, this._bone.selectedIndex);
     const quantity = this._quantity.value;
+    this._bone.title = this._bone.value;
     try {
       const shown = info.performers.slice(0, MostCurves);
       const curves = await Promise.all(shown.map(performer => this._api.get<CurveData>(
@@ -82,16 +85,10 @@ export class PlotSection {
         + `&points=${this.plot.points}&from=${this._view.from.toFixed(3)}&to=${this._view.to.toFixed(3)}`, abort.signal)));
       this.plot.show(
         curves.map((data, i) => ({ colour: shown[i].colour, data, gaps: shown[i].gaps })),
-        `${quantity} of ${wordsOf(this._bone.value)} over time, in ${curves[0]?.unit ?? ""}`);
+        `${quantity} of ${wordsOf(this._bone.value, info.performers[0].variant)} over time, in ${curves[0]?.unit ?? ""}`);
     } catch (error) {
       if ((error as Error).name !== "AbortError")
         this._say(error as Error);
     }
   }
-}
-
-/** "RightUpLeg" as "Right up leg". */
-export function wordsOf(name: string): string {
-  const words = name.replace(/([a-z])([A-Z0-9])/g, "$1 $2").toLowerCase();
-  return words.charAt(0).toUpperCase() + words.slice(1);
 }
