@@ -43,7 +43,7 @@ export class Hud {
     this._pictures = this._loop.pictures;
     this._since = now;
     this._delays = this._count = 0;
-    setText(this._fps, this._pictures === before ? "At rest" : `${Math.round(this.fps)} fps`);
+    setText(this._fps, this._pictures === before ? "Idle" : `${Math.round(this.fps)} fps`);
     setText(this._delay, milliseconds(this.delay));
     this._delay.hidden = Number.isNaN(this.delay);
   }

@@ -9,10 +9,10 @@ import { addToolbarKeys } from "./toolbarKeys";
 type Choice = "axes" | "trails" | "contacts" | "names" | "mirror" | "follow";
 
 const ViewButtons: readonly (readonly [View, IconName, string, string])[] = [
-  ["orbit", "orbit", "View from an angle", "1"],
-  ["front", "front", "View from the front", "2"],
-  ["side", "side", "View from the left side", "3"],
-  ["top", "top", "View from above", "4"],
+  ["orbit", "orbit", "Perspective view", "1"],
+  ["front", "front", "Front view", "2"],
+  ["side", "side", "Left side view", "3"],
+  ["top", "top", "Top view", "4"],
 ];
 
 const Choices: readonly (readonly [Choice, IconName, string, string])[] = [
