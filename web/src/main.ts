@@ -1,6 +1,7 @@
 import { createCharacters } from "./characters/characters";
 import { LiveFeed } from "./live/feed";
 import { api, connection } from "./live/program";
+import { NoAnswer } from "./page/api";
 import { element } from "./page/dom";
 import { Drops } from "./page/drops";
 import { Keys } from "./page/keys";
@@ -48,6 +49,10 @@ const page: Page = {
   drops: new Drops(document.body, text => notices.problem(text)),
   slots,
 };
+
+const hearAgain = (): void => notices.withdraw(NoAnswer);
+api.onAnswer = hearAgain;
+connection.onMessage(hearAgain);
 
 const rig = new CameraRig(stage.camera);
 const views = new Views(rig, performers, stage);

@@ -78,8 +78,12 @@ public sealed class LivePageTests(SharedBrowser browser)
             Assert.Equal("The program does not answer", state.GetProperty("title").GetString());
             Assert.Contains("start it again", state.GetProperty("advice").GetString(), StringComparison.Ordinal);
             double before = await PosesAsync(page);
+            await page.Page.Keyboard.PressAsync("r");
+            ILocator notice = page.Page.Locator(".notice").GetByText("The program does not answer.");
+            await notice.WaitForAsync();
             await using RunningView again = await RunningView.StartAsync("demo", "--port", $"{view.Link.Port}");
             await page.UntilAsync("before => { const { connection, performers } = window.neuronMocap.state(); return connection === 'open' && performers[0]?.poses > before + 2; }", before);
+            Assert.Equal(0, await notice.CountAsync());
             page.AssertClean(IsOfConnection);
         }
     }

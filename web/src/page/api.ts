@@ -1,7 +1,12 @@
+/** What a request says that got no answer. */
+export const NoAnswer = "The program does not answer.";
+
 const TokenName = "neuron-mocap-token";
 
 /** Requests to the server of the page, with the token that came in the page's address. */
 export class Api {
+  /** Called when the program has answered a request. */
+  onAnswer: (() => void) | null = null;
   private readonly _token: string | null;
 
   constructor() {
@@ -28,9 +33,10 @@ export class Api {
     } catch (error) {
       if ((error as Error).name === "AbortError")
         throw error;
-      throw new ApiError(0, "The program does not answer.");
+      throw new ApiError(0, NoAnswer);
     }
 
+    this.onAnswer?.();
     if (!answer.ok)
       throw new ApiError(answer.status, sentenceOf(await answer.text(), answer.status));
     return answer;
@@ -64,12 +70,13 @@ export class Api {
         request.setRequestHeader("Authorization", `Bearer ${this._token}`);
       request.upload.addEventListener("progress", event => progress(event.loaded / Math.max(1, event.total)));
       request.addEventListener("load", () => {
+        this.onAnswer?.();
         if (request.status >= 200 && request.status < 300)
           resolve(JSON.parse(request.responseText) as T);
         else
           reject(new ApiError(request.status, sentenceOf(request.responseText, request.status)));
       });
-      request.addEventListener("error", () => reject(new ApiError(0, "The program does not answer.")));
+      request.addEventListener("error", () => reject(new ApiError(0, NoAnswer)));
       request.addEventListener("abort", () => reject(new DOMException("The upload was cancelled.", "AbortError")));
       signal.addEventListener("abort", () => request.abort());
       request.send(file);

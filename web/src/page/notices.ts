@@ -25,6 +25,14 @@ export class Notices {
     this._showFor(30_000, text, "notice problem");
   }
 
+  /** Takes a sentence away that is not true any more. */
+  withdraw(text: string): void {
+    for (const notice of [...this._list.children]) {
+      if (notice.firstChild?.textContent === text)
+        notice.remove();
+    }
+  }
+
   /** Shows a sentence with a button, until this button or the cross is pressed. */
   offer(text: string, word: string, run: () => void): void {
     const button = element("button", { class: "button", type: "button" }, word);
@@ -71,11 +79,7 @@ export class Notices {
   }
 
   private _show(text: string, kind: string): HTMLElement {
-    for (const other of [...this._list.children]) {
-      if (other.firstChild?.textContent === text)
-        other.remove();
-    }
-
+    this.withdraw(text);
     const close = element("button", { class: "plain", "aria-label": "Close", type: "button" }, "✕");
     const notice = element("div", { class: kind }, element("span", {}, text), close);
     close.addEventListener("click", () => notice.remove());
