@@ -106,7 +106,7 @@ export class Cast {
     }
 
     for (const performer of this._page.performers.all) {
-      const followers = this.all.filter(each => each.performer === performer.info.key);
+      const followers = this._followersOf(performer.info.key);
       performer.placesBeside = Math.max(0, ...followers.map(each => each.place));
       const isReplaced = followers.some(each => each.place === 0);
       if (performer.figureReplaced === isReplaced)
@@ -155,32 +155,35 @@ export class Cast {
     if (performers.get(chosen))
       return chosen;
 
-    // Of several, the one that stands nearest to the performer's own place stays.
-    const followers = this.all.filter(each => each.performer === performer).sort((a, b) => a.place - b.place);
-    if (performers.get(performer) && followers[0] === character)
-      return performer;
+    const other = this._leastFollowed();
+    if (!performers.get(performer))
+      return other || performer;
 
-    const best = this._leastFollowed();
-    const isFree = !this.all.some(each => each.performer === best);
-    return performers.get(performer) && !isFree ? performer : best || performer;
+    const isNearest = this._followersOf(performer)[0] === character;
+    const isOtherFree = this._followersOf(other).length === 0;
+    return isNearest || !isOtherFree ? performer : other;
   }
 
-  // Nobody would see a character of a hidden performer.
+  // The one that stands nearest to the performer's own place comes first.
+  private _followersOf(performer: string): Character[] {
+    return this.all.filter(each => each.performer === performer).sort((a, b) => a.place - b.place);
+  }
+
+  // Empty if there is no performer. Nobody would see a character of a hidden one.
   private _leastFollowed(): string {
     const everybody = [...this._page.performers.all];
     const seen = everybody.filter(each => !each.hidden);
-    let best = "";
+    let least = "";
     let fewest = Infinity;
     for (const { info } of seen.length > 0 ? seen : everybody) {
-      const count = this.all.filter(each => each.performer === info.key).length;
-      if (count >= fewest)
-        continue;
-
-      best = info.key;
-      fewest = count;
+      const count = this._followersOf(info.key).length;
+      if (count < fewest) {
+        least = info.key;
+        fewest = count;
+      }
     }
 
-    return best;
+    return least;
   }
 
   // The first place that no other character of the performer has. Place 0 is the performer's own.
