@@ -1,4 +1,5 @@
 using System.Text;
+using NeuronMocap.Tool.Tests.Files;
 using NeuronMocap.Tool.Tests.View;
 using NeuronMocap.View.Tests.Characters;
 using NeuronMocap.View.Tests.Infrastructure;
@@ -42,9 +43,12 @@ public sealed class LayoutTests(SharedBrowser browser, CharacterSamples samples)
     [Fact]
     public async Task A_take_without_frames_says_so_and_leads_back_to_the_file()
     {
+        const string LongName = "a-long-name-of-a-take-that-somebody-recorded-and-trimmed.bvh";
+        using var folder = new TemporaryFolder();
         string file = await File.ReadAllTextAsync(Walk, TestContext.Current.CancellationToken);
+        await File.WriteAllTextAsync(folder[LongName], file, TestContext.Current.CancellationToken);
         string empty = file[..file.IndexOf("MOTION", StringComparison.Ordinal)] + "MOTION\nFrames: 0\nFrame Time: 0.01\n";
-        await using RunningView view = await RunningView.StartAsync(Walk);
+        await using RunningView view = await RunningView.StartAsync(folder[LongName]);
         await using TestPage page = await TestPage.OpenAsync(browser, view.Link, 390, 844);
         await page.UntilMovingAsync();
         await page.DropAsync("empty.bvh", Encoding.UTF8.GetBytes(empty));
@@ -53,7 +57,10 @@ public sealed class LayoutTests(SharedBrowser browser, CharacterSamples samples)
         Assert.True(await page.Page.Locator(".overlay").GetByText("The file holds a skeleton but no frames.").IsVisibleAsync());
 
         await page.Page.Keyboard.PressAsync("p");
-        await page.Page.GetByRole(AriaRole.Button, new PageGetByRoleOptions { Name = "Back to walk.bvh" }).ClickAsync();
+        ILocator back = page.Page.GetByRole(AriaRole.Button, new PageGetByRoleOptions { Name = "Back to " + LongName });
+        await back.WaitForAsync();
+        Assert.Equal(390, (await page.EvaluateAsync("() => document.querySelector('.panel').scrollWidth")).GetInt32());
+        await back.ClickAsync();
         await page.UntilMovingAsync();
         Assert.False(await words.IsVisibleAsync());
         page.AssertClean();
