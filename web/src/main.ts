@@ -50,9 +50,10 @@ const page: Page = {
   slots,
 };
 
-const hearAgain = (): void => notices.withdraw(NoAnswer);
-api.onAnswer = hearAgain;
-connection.onMessage(hearAgain);
+connection.onState(state => {
+  if (state === "open")
+    notices.withdraw(NoAnswer);
+});
 
 const rig = new CameraRig(stage.camera);
 const views = new Views(rig, performers, stage);

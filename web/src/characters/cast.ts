@@ -43,6 +43,8 @@ export class Cast {
   }
 
   follow(character: Character, performer: string): void {
+    if (performer !== character.performer)
+      character.hide();
     character.performer = performer;
     character.chosen = performer;
     character.place = this._freePlace(character);
@@ -51,8 +53,11 @@ export class Cast {
 
   /** Shows a character next to the figure of its performer, or in its place. */
   setBeside(character: Character, beside: boolean): void {
+    const inPlace = this._followersOf(character.performer)[0];
     character.isBeside = beside;
     character.place = beside ? this._freePlace(character) : 0;
+    if (!beside && inPlace.place === 0 && inPlace !== character)
+      inPlace.place = this._freePlace(inPlace);
     this._assign();
   }
 
@@ -107,13 +112,13 @@ export class Cast {
 
     for (const performer of this._page.performers.all) {
       const followers = this._followersOf(performer.info.key);
-      performer.placesBeside = Math.max(0, ...followers.map(each => each.place));
+      performer.companions = followers.filter(each => each.place > 0).map(each => each.hipsOnStage);
       const isReplaced = followers.some(each => each.place === 0);
       if (performer.figureReplaced === isReplaced)
         continue;
 
       performer.figureReplaced = isReplaced;
-      performer.group.position.set(0, 0, 0);
+      performer.standAlone();
       performer.refresh();
     }
 
@@ -129,22 +134,22 @@ export class Cast {
   private _update(step: number): void {
     for (const [character, motion] of this._motions) {
       motion.update();
-      this._accompany(character, step);
+      this._accompany(character);
       if (character.update(step))
         this._page.loop.invalidate();
     }
   }
 
-  // The marks, the trails and the name of a performer go with the character in its place, and so does the camera.
-  private _accompany(character: Character, step: number): void {
+  // Marks, trails and the name of a performer go with the character in its place, and so does the camera.
+  private _accompany(character: Character): void {
     const performer = this._page.performers.get(character.performer);
     if (!performer?.hasPose || !character.isShown)
       return;
 
-    const [x, , z] = performer.body.positions;
-    character.comeTo(x, z, performer.pose.time);
-    if (character.place === 0)
-      performer.glideTo(character.hipsOnStage.x - x, character.hipsOnStage.z - z, step);
+    const { positions } = performer.body;
+    const fits = character.accompany(positions[0], positions[2], performer.pose.time);
+    if (fits && character.place === 0)
+      performer.standAt(character.hipsOnStage.x, character.hipsOnStage.z);
   }
 
   // A character whose performer has left follows another one. Performers come one at a time, so a character that shares its performer moves to the next one

@@ -26,6 +26,13 @@ const LongestPause = 500;
 /** Poses of one frame have the same time, in milliseconds. */
 const SameTime = 0.5;
 
+/** Hips that move faster have jumped, in metres per second. Nobody notices a jump over a shorter way, in metres. */
+const Fastest = 15;
+const ShortestJump = 0.1;
+
+/** Poses of two sockets may never be of the same frame, on a slow network. After so many pictures, near ones will do. */
+const MostMisses = 20;
+
 type Point = [number, number, number];
 
 /** A character on the stage. Allocates nothing per pose. */
@@ -42,6 +49,8 @@ export class Character {
   isBeside = false;
   /** Whether feet that touch the ground stay in their place. */
   plantsFeet = true;
+  /** Where the hips are on the stage, in metres. NaN until the character has come to its performer. */
+  readonly hipsOnStage = new Vector3(NaN, NaN, NaN);
   private readonly _loaded: LoadedCharacter;
   private readonly _point = new Vector3();
   private _bones: CharacterBones | null = null;
@@ -50,7 +59,10 @@ export class Character {
   private _pose = new CharacterPose(0);
   private _next = new CharacterPose(0);
   private _place = 0;
+  /** Whether it stands where its performer stood, or has walked on from there. */
   private _hasCome = false;
+  private _hipsTime = 0;
+  private _misses = 0;
   private _since = Infinity;
   private _hasPose = false;
   private _hasSwung = false;
@@ -85,18 +97,14 @@ export class Character {
     if (value === this._place)
       return;
 
-    this.group.position.x += (value - this._place) * PlaceWidth;
-    this.hipsOnStage.x += (value - this._place) * PlaceWidth;
     this._place = value;
+    this._hasCome = false;
     this._hasSwung = false;
   }
 
   get place(): number {
     return this._place;
   }
-
-  /** Where the hips are on the stage, in metres. */
-  readonly hipsOnStage = new Vector3();
 
   /** Takes over how the server numbers the bones. */
   bind(bones: CharacterBones): void {
@@ -129,25 +137,30 @@ export class Character {
   }
 
   /**
-   * Puts the character where its performer stands, if it has just come or jumped. From then on it walks with the stride of its own legs. The time is that of
-   * the performer's pose.
+   * Tells where the performer stands and the time of its pose. A character that has just appeared, or jumped, comes there. From then on it walks with the
+   * stride of its own legs. Returns whether its pose is of the same moment.
    */
-  comeTo(x: number, z: number, time: number): void {
+  accompany(x: number, z: number, time: number): boolean {
     if (!this._hips || !this._hasPose)
-      return;
+      return false;
 
+    const isSame = Math.abs(time - this._pose.time) < SameTime;
+    this._misses = isSame ? 0 : this._misses + 1;
+    const fits = isSame || this._misses > MostMisses;
     const hips = this._hips.getWorldPosition(this._point);
-    this._hasCome &&= hips.distanceTo(this.hipsOnStage) < LongestMove;
+    this._hasCome &&= !this._hasJumpedTo(hips);
     if (!this._hasCome) {
       const toX = x + this._place * PlaceWidth - hips.x, toZ = z - hips.z;
       this.group.position.x += toX;
       this.group.position.z += toZ;
       hips.x += toX;
       hips.z += toZ;
-      this._hasCome = Math.abs(time - this._pose.time) < SameTime;
+      this._hasCome = fits;
     }
 
     this.hipsOnStage.copy(hips);
+    this._hipsTime = this._pose.time;
+    return fits;
   }
 
   /** Moves what follows the bones. Returns whether the picture changes. */
@@ -177,6 +190,7 @@ export class Character {
     this._hasPose = false;
     this._hasSwung = false;
     this._hasCome = false;
+    this.hipsOnStage.set(NaN, NaN, NaN);
   }
 
   /** Positions of the bones in the world, by the names of the stream's bones. */
@@ -189,6 +203,11 @@ export class Character {
     }
 
     return found;
+  }
+
+  private _hasJumpedTo(hips: Vector3): boolean {
+    const seconds = (this._pose.time - this._hipsTime) / 1000;
+    return seconds < 0 || hips.distanceTo(this.hipsOnStage) > ShortestJump + Fastest * seconds;
   }
 
   dispose(): void {

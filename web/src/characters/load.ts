@@ -84,7 +84,13 @@ function isBound({ geometry, skeleton }: SkinnedMesh): boolean {
 // Other messages of the loader are those of the script engine, which say nothing to a person.
 function explain(name: string, error: Error): string {
   const missing = /humanoid bones are required but not exist: (.*)$/.exec(error.message);
-  return missing ? `${name} lacks these bones: ${inWords(missing[1])}.` : `${name} is damaged, and cannot be shown. Export it again.`;
+  if (missing)
+    return `${name} lacks these bones: ${inWords(missing[1])}.`;
+
+  console.warn(error);
+  return /alloc|memory/i.test(error.message)
+    ? `${name} is too large for this browser.`
+    : `${name} is damaged, and cannot be shown. Export it again.`;
 }
 
 // leftUpperArm becomes left upper arm.

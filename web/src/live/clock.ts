@@ -23,7 +23,7 @@ export class ServerClock {
     this._offset = this._offsets[this._trips.indexOf(Math.min(...this._trips))];
   }
 
-  /** Takes notice of something that the server sent. It cannot have arrived before. */
+  /** Notes the arrival of a message. It cannot have arrived before the server sent it. */
   arrived(server: number, received: number): void {
     this._offset = Math.max(this._offset, server - received);
   }

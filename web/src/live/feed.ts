@@ -15,7 +15,7 @@ export class LiveFeed {
   receivedBytes = 0;
   /** Milliseconds from the arrival of the newest shown pose at the server until its picture was drawn, or NaN. */
   delay = NaN;
-  private _shown = NaN;
+  private _shown = -Infinity;
   private readonly _api: Api;
   private readonly _connection: Connection;
   private readonly _performers: Performers;
@@ -93,19 +93,19 @@ export class LiveFeed {
 
       performer.show(this._pose);
       this._connection.clock.arrived(this._pose.time, now);
-      this._shown = this._pose.time;
+      this._shown = Math.max(this._shown, this._pose.time);
     }
 
     this._newest.clear();
   }
 
-  /** The picture of the newest poses was drawn. */
+  /** Call it after the picture with the newest poses was drawn. */
   drawn(): void {
-    if (Number.isNaN(this._shown))
+    if (this._shown === -Infinity)
       return;
 
     this.delay = unixNow() + this._connection.clock.offset - this._shown;
-    this._shown = NaN;
+    this._shown = -Infinity;
   }
 
   // Open only while somebody looks at live motion.

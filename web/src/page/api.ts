@@ -5,8 +5,6 @@ const TokenName = "neuron-mocap-token";
 
 /** Requests to the server of the page, with the token that came in the page's address. */
 export class Api {
-  /** Called when the program has answered a request. */
-  onAnswer: (() => void) | null = null;
   private readonly _token: string | null;
 
   constructor() {
@@ -36,7 +34,6 @@ export class Api {
       throw new ApiError(0, NoAnswer);
     }
 
-    this.onAnswer?.();
     if (!answer.ok)
       throw new ApiError(answer.status, sentenceOf(await answer.text(), answer.status));
     return answer;
@@ -70,7 +67,6 @@ export class Api {
         request.setRequestHeader("Authorization", `Bearer ${this._token}`);
       request.upload.addEventListener("progress", event => progress(event.loaded / Math.max(1, event.total)));
       request.addEventListener("load", () => {
-        this.onAnswer?.();
         if (request.status >= 200 && request.status < 300)
           resolve(JSON.parse(request.responseText) as T);
         else

@@ -25,7 +25,7 @@ export class Notices {
     this._showFor(30_000, text, "notice problem");
   }
 
-  /** Takes a sentence away that is not true any more. */
+  /** Removes a notice that no longer holds. */
   withdraw(text: string): void {
     for (const notice of [...this._list.children]) {
       if (notice.firstChild?.textContent === text)

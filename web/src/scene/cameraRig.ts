@@ -52,6 +52,12 @@ export class CameraRig {
     this._settled = false;
   }
 
+  /** Goes back by some metres, at most as far as a hand can. */
+  goBack(way: number): void {
+    this.distance = Math.max(this.distance, Math.min(Farthest, this.distance + way));
+    this._settled = false;
+  }
+
   /** Moves the target in the plane of the picture, in parts of the picture's height. */
   pan(right: number, up: number): void {
     const height = 2 * this.distance * Math.tan(MathUtils.degToRad(PerspectiveAngle / 2));

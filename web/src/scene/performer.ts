@@ -1,4 +1,4 @@
-import { Group, type Vector2 } from "three";
+import { Group, type Vector2, type Vector3 } from "three";
 import type { PerformerInfo } from "../live/messages";
 import { Pose } from "../live/pose";
 import type { Settings } from "../page/settings";
@@ -11,10 +11,6 @@ import { Trails } from "./trails";
 
 /** Metres between a performer and a character beside it. */
 export const PlaceWidth = 1.1;
-
-/** Marks and names glide to a character in this time, in milliseconds. They jump over longer ways, in metres. */
-const Glide = 300;
-const LongestGlide = 0.3;
 
 /** One performer on the stage. */
 export class Performer {
@@ -32,8 +28,8 @@ export class Performer {
   figureReplaced = false;
   /** Hidden by the list of performers. */
   hidden = false;
-  /** Number of places beside the performer that characters have. */
-  placesBeside = 0;
+  /** Where the hips of the characters beside the performer are, in metres. NaN until a character has come. */
+  companions: readonly Vector3[] = [];
   private readonly _sticks: Sticks;
   private readonly _axes: JointAxes;
   private readonly _trails: Trails;
@@ -92,12 +88,15 @@ export class Performer {
     this._hasChanged = true;
   }
 
-  /** Moves the group on the floor, so that marks, trails and the name go with the character in the performer's place. */
-  glideTo(x: number, z: number, step: number): void {
-    const { position } = this.group;
-    const part = Math.hypot(x - position.x, z - position.z) > LongestGlide ? 1 : 1 - Math.exp(-step / Glide);
-    position.x += (x - position.x) * part;
-    position.z += (z - position.z) * part;
+  /** Moves the group on the floor: marks, trails and the name go with the character in the performer's place. */
+  standAt(x: number, z: number): void {
+    const { positions } = this.body;
+    this._moveTo(x - positions[0], z - positions[2]);
+  }
+
+  /** Without a character in its place, the performer stands where the stream says. */
+  standAlone(): void {
+    this._moveTo(0, 0);
   }
 
   setContacts(left: boolean, right: boolean): void {
@@ -128,12 +127,22 @@ export class Performer {
     if (settings.axes)
       this._axes.update();
     if (settings.trails)
-      this._trails.update(this.pose.time);
+      this._trails.update(this.pose.time, this.group.position);
     return true;
   }
 
   /** The settings or what replaces the figure have changed. */
   refresh(): void {
+    this._hasChanged = true;
+  }
+
+  // Only what changes is drawn.
+  private _moveTo(x: number, z: number): void {
+    const { position } = this.group;
+    if (position.x === x && position.z === z)
+      return;
+
+    position.set(x, 0, z);
     this._hasChanged = true;
   }
 

@@ -62,6 +62,8 @@ export class Performers {
       performer.show(known.pose);
     performer.hidden = known?.hidden ?? false;
     performer.figureReplaced = known?.figureReplaced ?? false;
+    performer.companions = known?.companions ?? [];
+    performer.group.position.copy(known?.group.position ?? performer.group.position);
     this._byKey.set(info.key, performer);
     this._byIndex.set(info.index, performer);
     this._stage.scene.add(performer.group);

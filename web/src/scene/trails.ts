@@ -1,5 +1,5 @@
 import {
-  BufferAttribute, Color, DoubleSide, DynamicDrawUsage, InstancedBufferAttribute, InstancedBufferGeometry, Mesh, ShaderMaterial, Vector2,
+  BufferAttribute, Color, DoubleSide, DynamicDrawUsage, InstancedBufferAttribute, InstancedBufferGeometry, Mesh, ShaderMaterial, Vector2, type Vector3,
 } from "three";
 import type { Body } from "./body";
 
@@ -88,14 +88,17 @@ export class Trails {
     this.mesh.renderOrder = 2;
   }
 
-  /** Adds the pose that the body shows. `time` in milliseconds; a time before the last one begins new trails. */
-  update(time: number): void {
+  /**
+   * Adds the pose that the body shows. `time` in milliseconds; a time before the last one begins new trails. `offset` is the way from the stream's places to
+   * those on the stage. The trails do not move with it: they stay where hands and feet were.
+   */
+  update(time: number, offset: Vector3): void {
     const pause = (time - this._lastTime) / 1000;
     if (!(pause >= 0 && pause < LongestPause)) {
       this._firstTime = time;
       (this._born.array as Float32Array).fill(-1e6);
       this._upload(0, PiecesPerLimb);
-      this._remember(time);
+      this._remember(time, offset);
       return;
     }
 
@@ -105,10 +108,10 @@ export class Trails {
       return;
 
     for (let limb = 0; limb < this._bones.length; limb++)
-      this._addPiece(limb, this._next * Limbs.length + limb, now, pause * Fastest);
+      this._addPiece(limb, this._next * Limbs.length + limb, now, pause * Fastest, offset);
     this._upload(this._next, 1);
     this._next = (this._next + 1) % PiecesPerLimb;
-    this._remember(time);
+    this._remember(time, offset);
   }
 
   dispose(): void {
@@ -117,25 +120,25 @@ export class Trails {
     this._material.dispose();
   }
 
-  private _addPiece(limb: number, piece: number, now: number, longest: number): void {
+  private _addPiece(limb: number, piece: number, now: number, longest: number, offset: Vector3): void {
     const positions = this._body.positions;
     const from = limb * 3, to = this._bones[limb] * 3, at = piece * 3;
     const start = this._start.array as Float32Array, end = this._end.array as Float32Array;
     let square = 0;
     for (let i = 0; i < 3; i++) {
       start[at + i] = this._last[from + i];
-      end[at + i] = positions[to + i];
+      end[at + i] = positions[to + i] + offset.getComponent(i);
       square += (end[at + i] - start[at + i]) ** 2;
     }
 
     this._born.array[piece] = square < longest * longest ? now : -1e6;
   }
 
-  private _remember(time: number): void {
+  private _remember(time: number, offset: Vector3): void {
     this._lastTime = time;
     for (let limb = 0; limb < this._bones.length; limb++) {
       for (let i = 0; i < 3; i++)
-        this._last[limb * 3 + i] = this._body.positions[this._bones[limb] * 3 + i];
+        this._last[limb * 3 + i] = this._body.positions[this._bones[limb] * 3 + i] + offset.getComponent(i);
     }
   }
 

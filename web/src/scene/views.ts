@@ -1,8 +1,8 @@
-import { Vector3 } from "three";
+import { Box2, Vector2, Vector3 } from "three";
 import type { Keys } from "../page/keys";
 import type { SettingsStore } from "../page/settings";
 import type { CameraRig } from "./cameraRig";
-import { type Performer, PlaceWidth } from "./performer";
+import type { Performer } from "./performer";
 import type { Performers } from "./performers";
 import type { Stage } from "./stage";
 
@@ -28,7 +28,10 @@ export class Views {
   private readonly _stage: Stage;
   private readonly _centre = new Vector3();
   private readonly _before = new Vector3();
+  private readonly _area = new Box2();
+  private readonly _point = new Vector2();
   private _spread = 0;
+  private _places = 0;
   /** Places of performers and characters, and the spread, that the camera was last moved back for. */
   private _framed = 0;
   private _framedSpread = 0;
@@ -80,9 +83,10 @@ export class Views {
     if (!this._measure())
       return;
 
+    this._framed = this._places;
+    this._framedSpread = this._spread;
     this._rig.target.copy(this._centre);
     this._rig.distance = this._distanceFor(this._spread);
-    this._framedSpread = this._spread;
     this._before.copy(this._centre);
   }
 
@@ -93,21 +97,19 @@ export class Views {
       return;
     }
 
-    const places = this._countPlaces();
-    if (places !== this._framed) {
-      const first = this._framed === 0;
-      this._framed = places;
+    if (this._places > this._framed) {
+      const isFirst = this._framed === 0;
       this.frame();
-      if (first)
+      if (isFirst)
         this._rig.jump();
     } else if (follow && this._following) {
       this._rig.target.add(this._centre).sub(this._before);
-      if (this._spread > this._framedSpread) {
-        this._rig.distance += this._distanceFor(this._spread) - this._distanceFor(this._framedSpread);
-        this._framedSpread = this._spread;
-      }
+      if (this._spread > this._framedSpread)
+        this._rig.goBack(this._distanceFor(this._spread) - this._distanceFor(this._framedSpread));
     }
 
+    this._framed = this._places;
+    this._framedSpread = follow && this._following ? Math.max(this._framedSpread, this._spread) : this._spread;
     this._following = follow;
     this._before.copy(this._centre);
     this._stage.floor.moveTo(this._centre.x, this._centre.z);
@@ -123,45 +125,52 @@ export class Views {
     return Math.max(HalfHeight, (HalfWidth + spread) / this._stage.camera.aspect) / Slope + 0.4 * spread;
   }
 
-  private get _one(): Performer | undefined {
-    const one = this.followed === null ? undefined : this._performers.get(this.followed);
-    return one?.isOnStage ? one : undefined;
-  }
-
-  private _countPlaces(): number {
-    if (this._one)
-      return 1 + this._one.placesBeside;
-
-    let count = 0;
-    for (const performer of this._performers.all) {
-      if (performer.isOnStage)
-        count += 1 + performer.placesBeside;
-    }
-
-    return count;
-  }
-
-  // The centre of the followed performers and the characters beside them, at the height of the hips, and their distance from it. False if there are none.
+  // The centre of the followed performers and the characters beside them, at the height of the hips, and their distance from it. False if nobody is shown.
   private _measure(): boolean {
-    let count = 0, left = Infinity, right = -Infinity, back = Infinity, front = -Infinity, height = 0;
-    for (const performer of this._one ? [this._one] : this._performers.all) {
-      if (!performer.isOnStage)
-        continue;
-      const { x, z } = performer;
-      left = Math.min(left, x);
-      right = Math.max(right, x + performer.placesBeside * PlaceWidth);
-      back = Math.min(back, z);
-      front = Math.max(front, z);
-      height += this._heightOf(performer);
-      count++;
+    this._area.makeEmpty();
+    this._places = 0;
+    let height = 0, count = 0;
+    const one = this.followed === null ? undefined : this._performers.get(this.followed);
+    if (one?.isOnStage) {
+      this._include(one);
+      height = this._heightOf(one);
+      count = 1;
+    } else {
+      for (const performer of this._performers.all) {
+        this._include(performer);
+        if (!performer.isOnStage)
+          continue;
+
+        height += this._heightOf(performer);
+        count++;
+      }
     }
 
     if (count === 0)
       return false;
 
-    this._centre.set((left + right) / 2, height / count, (back + front) / 2);
-    this._spread = Math.hypot(right - left, front - back) / 2;
+    const { min, max } = this._area;
+    this._centre.set((min.x + max.x) / 2, height / count, (min.y + max.y) / 2);
+    this._spread = Math.hypot(max.x - min.x, max.y - min.y) / 2;
     return true;
+  }
+
+  // Who is hidden keeps a place: to hide somebody must not undo what a hand has done with the camera.
+  private _include(performer: Performer): void {
+    if (!performer.hasPose)
+      return;
+
+    this._places++;
+    if (!performer.hidden)
+      this._area.expandByPoint(this._point.set(performer.x, performer.z));
+    for (const { x, z } of performer.companions) {
+      if (Number.isNaN(x))
+        continue;
+
+      this._places++;
+      if (!performer.hidden)
+        this._area.expandByPoint(this._point.set(x, z));
+    }
   }
 
   // Steps and jumps must not shake the picture: the height of the standing performer.

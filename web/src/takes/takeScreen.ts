@@ -94,6 +94,7 @@ export class TakeScreen {
   /** Takes the take off the page. */
   leave(): void {
     this._hasBegun = false;
+    this._wasPlaying = false;
     this._player?.dispose();
     this._player = null;
     this._contacts = [];

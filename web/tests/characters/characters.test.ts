@@ -1,6 +1,6 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { Group, Scene } from "three";
+import { Scene } from "three";
 import { createCharacters } from "../../src/characters/characters";
 import type { FileTaker } from "../../src/page/drops";
 import type { Characters, Page, Takes } from "../../src/page/page";
@@ -17,7 +17,7 @@ function createPage(...people: { key: string; hidden: boolean }[]) {
   const answers: (() => void)[] = [];
   const place = new FakeElement("section");
   const all = (people.length > 0 ? people : [{ key: "0-0", hidden: false }]).map(({ key, hidden }) => ({
-    info: performer(key), hidden, group: new Group(), refresh: () => {},
+    info: performer(key), hidden, standAlone: () => {}, refresh: () => {},
   }));
   const page = {
     api: { change: () => new Promise(resolve => answers.push(() => resolve({ id: answers.length, bones: [], hipsNode: 0, problems: [] }))) },

@@ -139,6 +139,7 @@ test("poses turn the nodes, and a VRM's own bones follow", async () => {
     near(character.joints()["LeftHand"], [0.16, 1.4 + 1 + 0.5, 0], `hand ${options.vrm}`);
     character.place = 2;
     assert.equal(character.place, 2);
+    character.accompany(0, 0, 0);
     assert.ok(Math.abs(character.joints()["Hips"][0] - 2.2) < 1e-4);
   }
 });

@@ -34,8 +34,8 @@ function show(character: Character, time: number, x: number, z: number): void {
 
 // Where the hips are, when the pose of the performer has come as well.
 function come(character: Character, x: number, z: number, time: number): [number, number] {
-  character.comeTo(x, z, time);
-  character.comeTo(x, z, time);
+  character.accompany(x, z, time);
+  character.accompany(x, z, time);
   return [character.hipsOnStage.x, character.hipsOnStage.z];
 }
 
@@ -72,11 +72,36 @@ test("a character comes to the pose of the same time", () => {
 
 test("a character beside its performer keeps its distance in every place", () => {
   const character = createCharacter();
+  assert.ok(Number.isNaN(character.hipsOnStage.x));
   character.place = 1;
   show(character, 0, 5, 0);
   assertNear(come(character, 5, 0, 0), [5 + PlaceWidth, 0]);
-  assert.ok(Math.abs(character.group.position.x - (5 + PlaceWidth - 5 * Stride)) < 1e-4);
+  show(character, 16, 5.1, 0);
+  assertNear(come(character, 5.1, 0, 16), [5 + PlaceWidth + 0.1 * Stride, 0]);
   character.place = 2;
-  assertNear(come(character, 5, 0, 0), [5 + 2 * PlaceWidth, 0]);
-  assert.ok(Math.abs(character.group.position.x - (5 + 2 * PlaceWidth - 5 * Stride)) < 1e-4);
+  assertNear(come(character, 5.1, 0, 16), [5.1 + 2 * PlaceWidth, 0]);
+  character.hide();
+  assert.ok(Number.isNaN(character.hipsOnStage.x));
+});
+
+test("fast play is no jump, and the begin of a loop is one", () => {
+  const character = createCharacter();
+  show(character, 0, 0, 0);
+  come(character, 0, 0, 0);
+  show(character, 1000, 4, 0);
+  assertNear(come(character, 4, 0, 1000), [4 * Stride, 0]);
+  show(character, 0, 3.9, 0);
+  assertNear(come(character, 3.9, 0, 0), [3.9, 0]);
+});
+
+test("a character whose poses never have the time of the performer's comes after some pictures", () => {
+  const character = createCharacter();
+  let fits = false;
+  for (let picture = 0; picture < 100 && !fits; picture++) {
+    show(character, picture * 100, 1, 0);
+    fits = character.accompany(1, 0, picture * 100 + 40);
+  }
+
+  assert.ok(fits);
+  assertNear([character.hipsOnStage.x], [1]);
 });

@@ -56,21 +56,22 @@ test("axes start at the joints and have the joint's directions", () => {
 test("trails join poses, and begin anew after a jump in time or place", () => {
   const body = standing();
   const trails = new Trails(body, "#4f8fdc", new Vector2(100, 100));
+  const origin = new Vector3();
   const born = (trails.mesh as Mesh).geometry.getAttribute("born");
   const pieces = (): number => (born.array as Float32Array).filter(time => time > -1).length;
-  trails.update(1000);
+  trails.update(1000, origin);
   assert.equal(pieces(), 0);
-  trails.update(1016);
-  trails.update(1033);
+  trails.update(1016, origin);
+  trails.update(1033, origin);
   assert.equal(pieces(), 8);
-  trails.update(1033);
+  trails.update(1033, origin);
   assert.equal(pieces(), 8);
 
   for (let i = 0; i < body.positions.length; i += 3)
     body.positions[i] += 2;
-  trails.update(1050);
+  trails.update(1050, origin);
   assert.equal(pieces(), 8);
-  trails.update(500);
+  trails.update(500, origin);
   assert.equal(pieces(), 0);
 });
 
@@ -121,3 +122,16 @@ function qualityOf(isSoftware: boolean): { quality: Quality; changes: [number, n
   };
   return { quality: new Quality({ isSoftware, setQuality } as unknown as Stage), changes };
 }
+
+test("trails are where a performer stands on the stage, and stay there", () => {
+  const body = standing();
+  const trails = new Trails(body, "#4f8fdc", new Vector2(100, 100));
+  const { geometry } = trails.mesh as Mesh;
+  const [start, end] = ["start", "end"].map(name => geometry.getAttribute(name));
+  const hand = body.positions[body.indexOf("LeftHand") * 3];
+  trails.update(1000, new Vector3(5, 0, 0));
+  trails.update(1016, new Vector3(5.1, 0, 0));
+  trails.update(1033, new Vector3(5.3, 0, 0));
+  const ends = [start.getX(0), end.getX(0), start.getX(4), end.getX(4)];
+  ends.forEach((x, i) => assert.ok(Math.abs(x - hand - [5, 5.1, 5.1, 5.3][i]) < 1e-5, `${ends}`));
+});

@@ -1,16 +1,22 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { PerspectiveCamera } from "three";
+import { PerspectiveCamera, Vector3 } from "three";
 import { CameraRig } from "../../src/scene/cameraRig";
 import type { Performers } from "../../src/scene/performers";
-import { PlaceWidth } from "../../src/scene/performer";
 import type { Stage } from "../../src/scene/stage";
 import { Views } from "../../src/scene/views";
 
-interface Person { key: string; x: number; z: number; isOnStage: boolean; placesBeside: number; body: { offsets: number[] } }
+class Person {
+  readonly hasPose = true;
+  readonly body = { offsets: [0, 1, 0] };
+  hidden = false;
+  companions: Vector3[] = [];
 
-function person(key: string, x: number, z = 0): Person {
-  return { key, x, z, isOnStage: true, placesBeside: 0, body: { offsets: [0, 1, 0] } };
+  constructor(readonly key: string, public x: number, public z = 0) {}
+
+  get isOnStage(): boolean {
+    return !this.hidden;
+  }
 }
 
 function createViews(...people: Person[]) {
@@ -34,32 +40,62 @@ function createViews(...people: Person[]) {
 }
 
 test("the camera looks at the middle of what is shown, not of the hidden", () => {
-  const people = [person("a", 0), person("b", 30), person("c", 2)];
+  const people = [new Person("a", 0), new Person("b", 30), new Person("c", 2)];
   const { views, rig, update } = createViews(...people);
   assert.equal(rig.target.x, 15);
-  people[1].isOnStage = false;
+  people[1].hidden = true;
   update();
   assert.equal(rig.target.x, 1);
   views.follow("b");
   assert.equal(rig.target.x, 1);
+  people.forEach(each => { each.hidden = true; });
+  update();
+  assert.equal(rig.target.x, 1);
 });
 
-test("characters beside a performer are in the picture", () => {
-  const people = [person("a", 0)];
-  const { views, update, sees } = createViews(...people);
-  for (const followed of [null, "a"]) {
-    people[0].placesBeside = 0;
-    views.follow(followed);
+test("to hide and show a performer leaves the camera as near as it was moved", () => {
+  const people = [new Person("a", -1), new Person("b", 1)];
+  const { rig, update } = createViews(...people);
+  rig.zoom(0.5);
+  const { distance } = rig;
+  for (const hidden of [true, false]) {
+    people[1].hidden = hidden;
     update();
-    assert.ok(!sees(3 * PlaceWidth));
-    people[0].placesBeside = 3;
-    update();
-    assert.ok(sees(-0.5) && sees(3 * PlaceWidth + 0.5));
+    assert.equal(rig.distance, distance);
   }
 });
 
+test("characters beside a performer are in the picture as soon as they have come", () => {
+  for (const followed of [null, "a"]) {
+    const people = [new Person("a", 0)];
+    const { views, update, sees } = createViews(...people);
+    views.follow(followed);
+    const far = new Vector3(NaN, NaN, NaN);
+    people[0].companions = [far];
+    update();
+    assert.ok(!sees(4, 1));
+    far.set(4, 1, 1);
+    update();
+    assert.ok(sees(-0.5) && sees(4.5, 1));
+  }
+});
+
+test("the camera does not jump when it follows again", () => {
+  const people = [new Person("a", -1), new Person("b", 1)];
+  const { rig, views, update } = createViews(...people);
+  views.update(false);
+  people[1].x = 9;
+  views.update(false);
+  const { distance } = rig;
+  update();
+  assert.equal(rig.distance, distance);
+  people[1].x = 1e6;
+  update();
+  assert.ok(rig.distance <= 60);
+});
+
 test("the camera goes back while performers walk apart, and stays there when they meet again", () => {
-  const people = [person("a", -1), person("b", 1)];
+  const people = [new Person("a", -1), new Person("b", 1)];
   const { rig, update, sees } = createViews(...people);
   for (let step = 0; step < 100; step++) {
     people[0].x -= 0.05;
@@ -76,7 +112,7 @@ test("the camera goes back while performers walk apart, and stays there when the
 });
 
 test("a hand that came closer stays closer while performers walk apart", () => {
-  const people = [person("a", -1), person("b", 1)];
+  const people = [new Person("a", -1), new Person("b", 1)];
   const { rig, update } = createViews(...people);
   const { distance } = rig;
   rig.zoom(0.5);
