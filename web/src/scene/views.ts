@@ -155,7 +155,7 @@ export class Views {
     return true;
   }
 
-  // Who is hidden keeps a place: to hide somebody must not undo what a hand has done with the camera.
+  // A hidden performer keeps its places, so that hiding somebody does not frame the picture again.
   private _include(performer: Performer): void {
     if (!performer.hasPose)
       return;

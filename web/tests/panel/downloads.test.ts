@@ -19,7 +19,7 @@ async function saveBvh(performers: readonly { readonly key: string; readonly nam
   return saved;
 }
 
-test("a take without performers is asked for all the same, so that the server's sentence is shown", async () => {
+test("the page also asks for a take without performers, so that it shows the sentence of the server", async () => {
   assert.deepEqual(await saveBvh([]), [["takes/1/download?format=bvh", "walk.bvh"]]);
 });
 

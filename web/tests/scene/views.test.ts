@@ -111,7 +111,7 @@ test("the camera goes back while performers walk apart, and stays there when the
   assert.equal(rig.distance, distance);
 });
 
-test("a hand that came closer stays closer while performers walk apart", () => {
+test("a camera that was moved closer stays closer while performers walk apart", () => {
   const people = [new Person("a", -1), new Person("b", 1)];
   const { rig, update } = createViews(...people);
   const { distance } = rig;

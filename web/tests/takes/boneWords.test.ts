@@ -9,7 +9,7 @@ const Trunks = {
   Spine3: ["Hips", "Spine", "Spine1", "Spine2", "Spine3", "Neck", "Head"],
 };
 
-test("all bones of both variants have different words of people", () => {
+test("each bone of both variants has a name of its own in words", () => {
   for (const variant of ["Neck1", "Spine3"] as const) {
     const bones = [...Trunks[variant], ...["Left", "Right"].flatMap(side => Limbs.map(limb => side + limb))];
     const words = bones.map(bone => wordsOf(bone, variant));

@@ -74,7 +74,7 @@ internal sealed class CharacterRig
         }
         catch (ArgumentException fault)
         {
-            throw new CharacterException(fault.Message.Split(" (Parameter")[0]);
+            throw new CharacterException(char.ToLowerInvariant(fault.Message[0]) + fault.Message[1..].Split(" (Parameter")[0]);
         }
     }
 
