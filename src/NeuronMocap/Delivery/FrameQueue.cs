@@ -21,9 +21,6 @@ namespace NeuronMocap;
 /// </remarks>
 public sealed class FrameQueue : IPacketConsumer, ICountedConsumer, IDisposable
 {
-    // The receive thread may not see yet that it must signal, so the first wait looks again after this time.
-    private static readonly TimeSpan FirstWait = TimeSpan.FromMilliseconds(1);
-
     internal const string DefaultName = "queue";
     internal const int MaxCapacity = 1 << 20;
 
@@ -44,6 +41,7 @@ public sealed class FrameQueue : IPacketConsumer, ICountedConsumer, IDisposable
     private long _dropped;
     private FrameSignal? _signal;
     private int _pumping;
+    private int _unsignalled;
     private int _awaiting;
     private volatile bool _isComplete;
     private volatile bool _disposed;
@@ -106,8 +104,13 @@ public sealed class FrameQueue : IPacketConsumer, ICountedConsumer, IDisposable
     // Called on the receive thread after each frame, and when adding is completed.
     internal Action? Changed { get; set; }
 
-    // Whether a consumer has something to do.
-    internal bool HasChanged => Count > 0 || _isComplete || _disposed;
+    // Whether a consumer has something to do. In a flood, it waits for more.
+    internal bool HasChanged => HasEnough || _isComplete || _disposed;
+
+    private bool HasEnough => Count >= (_signal is { IsFlooded: true } ? PartSize : 1);
+
+    // A power of two, as the capacity.
+    private int PartSize => Math.Max(1, Capacity / FrameSignal.PartsOfQueue);
 
     /// <summary>
     /// Calls a handler for every waiting frame, oldest first, on this thread. Returns at once if no frame waits. Frames that arrive during the call are
@@ -187,14 +190,17 @@ public sealed class FrameQueue : IPacketConsumer, ICountedConsumer, IDisposable
     /// <param name="cancellationToken">Ends the wait with an <see cref="OperationCanceledException"/>; the queue continues.</param>
     /// <returns>False if no frame will follow: the reader has stopped and the queue is empty, or the queue was disposed.</returns>
     /// <exception cref="InvalidOperationException">Another wait for this queue has not ended; it continues.</exception>
-    /// <remarks>Only one wait at a time. It costs nothing while frames wait. The code after it runs on a pool thread, or on the caller's context.</remarks>
+    /// <remarks>
+    /// Only one wait at a time. It costs nothing while frames wait. The code after it runs on a pool thread, or on the caller's context. While frames come
+    /// faster than this code can be woken, such as those of an unpaced playback, a wait can last a millisecond longer, so that fewer wake-ups are needed.
+    /// </remarks>
     public ValueTask<bool> WaitAsync(CancellationToken cancellationToken = default)
     {
         // Also if frames wait: a loop that is slower than the stream would never end.
         if (cancellationToken.IsCancellationRequested)
             return new ValueTask<bool>(Task.FromCanceled<bool>(cancellationToken));
 
-        return Count > 0 && !_disposed ? new ValueTask<bool>(true) : WaitForFrameAsync(cancellationToken);
+        return HasEnough && !_disposed ? new ValueTask<bool>(true) : WaitForFrameAsync(cancellationToken);
     }
 
     /// <summary>Removes the queue from its reader and discards the waiting frames. Any thread, any number of times.</summary>
@@ -209,9 +215,10 @@ public sealed class FrameQueue : IPacketConsumer, ICountedConsumer, IDisposable
     }
 
     // Makes waits cheap from the first one on. Called before the queue gets its first frame.
-    internal void PrepareWaiting()
+    // clock: null for the usual one.
+    internal void PrepareWaiting(Func<long>? clock = null)
     {
-        var signal = new FrameSignal(this);
+        var signal = new FrameSignal(this, clock);
         Changed = signal.Set;
         _signal = signal;
     }
@@ -237,7 +244,9 @@ public sealed class FrameQueue : IPacketConsumer, ICountedConsumer, IDisposable
         else if (!ring.TryEnqueue(packet) && !(WaitForRoom() && ring.TryEnqueue(packet)))
             Volatile.Write(ref _dropped, _dropped + 1);
 
-        Changed?.Invoke();
+        // While frames come faster than a consumer can wake, a wake-up for each part of the queue costs less, and none costs the receive thread a fence.
+        if (_signal is not { IsFlooded: true } || (++_unsignalled & (PartSize - 1)) == 0)
+            Changed?.Invoke();
     }
 
     private async ValueTask<bool> WaitForFrameAsync(CancellationToken cancellationToken)
@@ -247,24 +256,19 @@ public sealed class FrameQueue : IPacketConsumer, ICountedConsumer, IDisposable
 
         try
         {
-            TimeSpan limit = Timeout.InfiniteTimeSpan;
             if (_signal is null)
-            {
                 PrepareWaiting();
-                limit = FirstWait;
-            }
 
             while (true)
             {
                 // In this order: the last frame arrives before the end.
                 bool hasEnded = _isComplete || _disposed;
+                if (!hasEnded && !HasEnough)
+                    await _signal!.WaitAsync(cancellationToken).ConfigureAwait(false);
                 if (Count > 0 && !_disposed)
                     return true;
                 if (hasEnded)
                     return false;
-
-                await _signal!.WaitAsync(limit, cancellationToken).ConfigureAwait(false);
-                limit = Timeout.InfiniteTimeSpan;
             }
         }
         finally

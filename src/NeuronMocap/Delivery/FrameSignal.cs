@@ -1,13 +1,37 @@
+using System.Diagnostics;
 using System.Diagnostics.CodeAnalysis;
 
 namespace NeuronMocap.Delivery;
 
 // Wakes the one consumer that waits for a frame of a queue.
+//
+// To wake a thread takes the time of many frames. A consumer that empties the queue faster than it fills would be woken for each few frames of a stream that
+// comes as fast as it can, such as a recording that is played unpaced. While waits follow each other closely, the receive thread therefore signals only once
+// for each part of the queue, and the consumer looks again after a millisecond. No stream in real time comes that fast.
 [SuppressMessage("Design", "CA1001", Justification = "The semaphore holds no handle, and the receive thread may release it after the end.")]
-internal sealed class FrameSignal(FrameQueue queue)
+internal sealed class FrameSignal(FrameQueue queue, Func<long>? clock = null)
 {
+    // The receive thread goes on while the consumer wakes. The other half has room for that.
+    public const int PartsOfQueue = 2;
+
+    // So many waits in a row, each soon after the one before, begin a flood. So many frames between two looks let it go on.
+    private const int QuickWaits = 32;
+    private const long FramesOfFlood = 32;
+    private static readonly long Soon = Stopwatch.Frequency / 10_000;
+    private static readonly TimeSpan NextLook = TimeSpan.FromMilliseconds(1);
+
+    private readonly Func<long> _clock = clock ?? Stopwatch.GetTimestamp;
     private readonly SemaphoreSlim _semaphore = new(0);
     private int _waiting;
+    private volatile bool _isFlooded;
+
+    // Consumer. The receive thread may not see a change of the flood yet, or not know the signal. One wait that looks again after a time makes up for it.
+    private bool _looksAgain = true;
+    private long _lastWait;
+    private long _delivered;
+    private int _quickWaits;
+
+    public bool IsFlooded => _isFlooded;
 
     // Any thread. A full fence separates the packet, which is stored before, from the look at the announcement.
     public void Set()
@@ -17,13 +41,27 @@ internal sealed class FrameSignal(FrameQueue queue)
     }
 
     // May return too early.
-    public async Task WaitAsync(TimeSpan limit, CancellationToken cancellationToken)
+    public async Task WaitAsync(CancellationToken cancellationToken)
     {
+        bool looksAgain = _looksAgain;
+        _looksAgain = JudgeFlood();
+        TimeSpan limit = looksAgain || _looksAgain ? NextLook : Timeout.InfiniteTimeSpan;
+
         // Announces the wait, then looks again: what arrived before the announcement did not release the semaphore.
         Interlocked.Exchange(ref _waiting, 1);
         if (!queue.HasChanged)
             await _semaphore.WaitAsync(limit, cancellationToken).ConfigureAwait(false);
 
         Interlocked.Exchange(ref _waiting, 0);
+    }
+
+    private bool JudgeFlood()
+    {
+        long now = _clock(), delivered = queue.Delivered;
+        bool goesOn = _isFlooded ? delivered - _delivered >= FramesOfFlood : now - _lastWait < Soon;
+        _quickWaits = goesOn ? _quickWaits + 1 : 0;
+        _isFlooded = _quickWaits >= QuickWaits;
+        (_lastWait, _delivered) = (now, delivered);
+        return _isFlooded;
     }
 }

@@ -126,5 +126,68 @@ public sealed class FrameQueueWaitTests
         Assert.Equal(Frames, taken + queue.Dropped);
     }
 
+    // Bursts end floods and begin them anew, on both sides of their limits.
+    [Theory]
+    [InlineData(WhenFull.DropNewest, 1)]
+    [InlineData(WhenFull.DropNewest, 64)]
+    [InlineData(WhenFull.DropOldest, 64)]
+    public async Task No_frame_is_left_behind_while_floods_begin_and_end(WhenFull whenFull, int capacity)
+    {
+        const int Bursts = 200, Burst = 200;
+        using var queue = new FrameQueue(capacity, SkeletonFormat.Default, static _ => { }, whenFull: whenFull);
+        int taken = 0;
+        Task producing = Task.Run(
+            async () =>
+            {
+                byte[] packet = TestPackets.Motion(0);
+                for (int burst = 0; burst < Bursts; burst++)
+                {
+                    for (int i = 0; i < Burst; i++)
+                    {
+                        ((IPacketConsumer)queue).OnPacket(new ReceivedPacket(PacketKind.Motion, packet, 0, 0));
+                        Thread.SpinWait(burst % 2 * 50);
+                    }
+
+                    // The consumer takes the last frame of each burst, although no more frames come.
+                    await Limits.UntilAsync(() => Volatile.Read(ref taken) + queue.Dropped == (burst + 1) * Burst);
+                }
+
+                queue.CompleteAdding();
+            },
+            Cancelled);
+
+        while (await queue.WaitAsync(Cancelled).AsTask().Soon())
+            Volatile.Write(ref taken, taken + queue.Pump<MotionFrame>(static _ => { }));
+
+        await producing;
+        Assert.Equal(Bursts * Burst, taken + queue.Dropped);
+    }
+
+    // On the clock of the test, all waits follow each other at once.
+    [Fact]
+    public async Task A_flood_signals_once_for_each_part_of_the_queue()
+    {
+        using var queue = new FrameQueue(64, SkeletonFormat.Default, static _ => { });
+        queue.PrepareWaiting(static () => 1);
+        int signals = 0;
+        Action set = queue.Changed!;
+        queue.Changed = () =>
+        {
+            signals++;
+            set();
+        };
+
+        for (int i = 0; i < 40; i++)
+        {
+            Task<bool> wait = queue.WaitAsync(Cancelled).AsTask();
+            ((IPacketConsumer)queue).OnPacket(new ReceivedPacket(PacketKind.Motion, TestPackets.Motion(i), 0, 0));
+            Assert.True(await wait.Soon());
+            queue.Pump<MotionFrame>(static _ => { });
+        }
+
+        // The flood begins with the 32nd wait, and ends because one frame came in a millisecond.
+        Assert.Equal(39, signals);
+    }
+
     private void Publish(int index) => ((IPacketConsumer)_queue).OnPacket(new ReceivedPacket(PacketKind.Motion, TestPackets.Motion(index), 0, 0));
 }
