@@ -206,8 +206,8 @@ export class Character {
   }
 
   private _hasJumpedTo(hips: Vector3): boolean {
-    const seconds = (this._pose.time - this._hipsTime) / 1000;
-    return seconds < 0 || hips.distanceTo(this.hipsOnStage) > ShortestJump + Fastest * seconds;
+    const pause = this._pose.time - this._hipsTime;
+    return pause < 0 || pause > LongestPause || hips.distanceTo(this.hipsOnStage) > ShortestJump + Fastest * pause / 1000;
   }
 
   dispose(): void {
