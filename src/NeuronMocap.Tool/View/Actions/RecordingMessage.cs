@@ -21,7 +21,7 @@ internal sealed record RecordingMessage(string State, string? File, double Secon
     /// <summary>The id of the take that the finished recording has become; null for none.</summary>
     public string? Take { get; init; }
 
-    /// <summary>Describes a recording that runs.</summary>
+    /// <summary>Describes a recording, as if it still ran.</summary>
     /// <param name="take">The recording.</param>
     /// <param name="arrived">Frames that have arrived in the whole run.</param>
     public static RecordingMessage Of(Take take, long arrived)
