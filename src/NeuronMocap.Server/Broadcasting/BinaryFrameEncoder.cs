@@ -4,33 +4,36 @@ using NeuronMocap.Protocol;
 namespace NeuronMocap.Server.Broadcasting;
 
 /// <summary>The packets of Axis Neuron.</summary>
-internal class BinaryFrameEncoder(FramePlan plan) : FrameEncoder(plan)
+internal class BinaryFrameEncoder : FrameEncoder
 {
-    protected virtual MotionHeader CreateHeader(long frame, int avatar) => new()
-    {
-        Version = Plan.Version,
-        HasDisplacement = Plan.Layout.HasDisplacement,
-        HasReference = Plan.Layout.HasReference,
-        AvatarIndex = avatar,
-        AvatarName = Plan.Names[avatar],
-        FrameIndex = (uint)frame,
+    // One for each avatar. Stamp writes what changes from frame to frame.
+    private readonly byte[] _headers;
 
-        // Only Axis Studio sends its rotation order here (protocol.md section 9).
-        Reserved = Plan.Version == DataVersion.Studio ? (uint)Plan.Order : 0,
-    };
+    public BinaryFrameEncoder(FramePlan plan)
+        : base(plan)
+    {
+        _headers = new byte[plan.HasMotion ? plan.AvatarCount * ProtocolConstants.HeaderSize : 0];
+        for (int avatar = 0; avatar * ProtocolConstants.HeaderSize < _headers.Length; avatar++)
+            CreateHeader(avatar).Write(HeaderOf(avatar));
+    }
 
     protected override int WriteMotion(long frame, int avatar, Span<byte> destination)
     {
-        if (!Plan.WritesInPlace)
-            return PacketEncoder.WriteMotion(destination, CreateHeader(frame, avatar), GetMotion(frame, avatar));
-
-        // The source writes into the packet. A copy would cost as much as the rest of the encoding.
         int length = Plan.MaxMotionSize;
-        Span<float> values = MemoryMarshal.Cast<byte, float>(destination[ProtocolConstants.HeaderSize..length]);
-        Plan.Sources[avatar].WriteValues(frame, Plan.Layout, Plan.Order, values);
-        (CreateHeader(frame, avatar) with { ValueCount = values.Length }).Write(destination);
+        Span<byte> payload = destination[ProtocolConstants.HeaderSize..length];
+
+        // The source writes into the packet where it can. A copy would cost as much as the rest of the encoding.
+        if (Plan.WritesInPlace)
+            Plan.Sources[avatar].WriteValues(frame, Plan.Layout, Plan.Order, MemoryMarshal.Cast<byte, float>(payload));
+        else
+            PacketEncoder.WriteValues(payload, GetMotion(frame, avatar));
+
+        HeaderOf(avatar).CopyTo(destination);
+        Stamp(destination, frame);
         return length;
     }
+
+    protected virtual void Stamp(Span<byte> header, long frame) => MotionHeader.WriteFrameIndex(header, (uint)frame);
 
     protected override int WriteCalculation(long frame, int avatar, Span<byte> destination)
     {
@@ -42,4 +45,19 @@ internal class BinaryFrameEncoder(FramePlan plan) : FrameEncoder(plan)
         };
         return PacketEncoder.WriteCalculation(destination, header, Calculate(frame, avatar));
     }
+
+    private Span<byte> HeaderOf(int avatar) => _headers.AsSpan(avatar * ProtocolConstants.HeaderSize, ProtocolConstants.HeaderSize);
+
+    private MotionHeader CreateHeader(int avatar) => new()
+    {
+        Version = Plan.Version,
+        ValueCount = Plan.Layout.ValueCount,
+        HasDisplacement = Plan.Layout.HasDisplacement,
+        HasReference = Plan.Layout.HasReference,
+        AvatarIndex = avatar,
+        AvatarName = Plan.Names[avatar],
+
+        // Only Axis Studio sends its rotation order here (protocol.md section 9).
+        Reserved = Plan.Version == DataVersion.Studio ? (uint)Plan.Order : 0,
+    };
 }

@@ -27,10 +27,11 @@ internal sealed class StudioFrameEncoder(FramePlan plan) : BinaryFrameEncoder(pl
     // Rates such as 29.97 are not exact. Where a frame starts a second, the product may be slightly too large.
     private static long FirstFrame(long second, double rate) => (long)Math.Ceiling((second * rate) - 1e-6);
 
-    protected override MotionHeader CreateHeader(long frame, int avatar)
+    protected override void Stamp(Span<byte> header, long frame)
     {
+        base.Stamp(header, frame);
         (uint time, uint subFrame) = GetTimecode(frame, Plan.FrameRate);
-        return base.CreateHeader(frame, avatar) with { Reserved1 = time, Reserved2 = subFrame };
+        MotionHeader.WriteTimecode(header, time, subFrame);
     }
 
     protected override int WriteCalculation(long frame, int avatar, Span<byte> destination)

@@ -126,6 +126,19 @@ public readonly record struct MotionHeader
     internal static uint? ReadFrameIndex(ReadOnlySpan<byte> source) =>
         DataVersion.IsOld(source[2..]) ? null : BinaryPrimitives.ReadUInt32LittleEndian(source[46..]);
 
+    // Writes single fields into a header that was written before. The Old layout has no number of the frame.
+    internal static void WriteFrameIndex(Span<byte> header, uint index)
+    {
+        if (!DataVersion.IsOld(header[2..]))
+            BinaryPrimitives.WriteUInt32LittleEndian(header[46..], index);
+    }
+
+    internal static void WriteTimecode(Span<byte> header, uint time, uint subFrame)
+    {
+        BinaryPrimitives.WriteUInt32LittleEndian(header[54..], time);
+        BinaryPrimitives.WriteUInt32LittleEndian(header[58..], subFrame);
+    }
+
     private static MotionHeader ReadNew(ReadOnlySpan<byte> source, DataVersion version) => new()
     {
         Version = version,

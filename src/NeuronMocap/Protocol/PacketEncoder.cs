@@ -54,16 +54,7 @@ public static class PacketEncoder
         return length;
     }
 
-    private static int RequireRoom(Span<byte> destination, int valueCount)
-    {
-        int length = ProtocolConstants.HeaderSize + (valueCount * sizeof(float));
-        if (destination.Length < length)
-            throw new ArgumentException($"A packet of {valueCount} values needs {length} bytes; the destination has {destination.Length}.", nameof(destination));
-
-        return length;
-    }
-
-    private static void WriteValues(Span<byte> destination, ReadOnlySpan<float> values)
+    internal static void WriteValues(Span<byte> destination, ReadOnlySpan<float> values)
     {
         if (BitConverter.IsLittleEndian)
         {
@@ -73,5 +64,14 @@ public static class PacketEncoder
 
         for (int i = 0; i < values.Length; i++)
             BinaryPrimitives.WriteInt32LittleEndian(destination[(i * sizeof(float))..], BitConverter.SingleToInt32Bits(values[i]));
+    }
+
+    private static int RequireRoom(Span<byte> destination, int valueCount)
+    {
+        int length = ProtocolConstants.HeaderSize + (valueCount * sizeof(float));
+        if (destination.Length < length)
+            throw new ArgumentException($"A packet of {valueCount} values needs {length} bytes; the destination has {destination.Length}.", nameof(destination));
+
+        return length;
     }
 }
