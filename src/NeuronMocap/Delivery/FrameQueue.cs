@@ -19,7 +19,7 @@ namespace NeuronMocap;
 /// calculation data of 3.8 KB.
 /// </para>
 /// </remarks>
-public sealed class FrameQueue : IPacketConsumer, ICountedConsumer, IDisposable
+public sealed partial class FrameQueue : IPacketConsumer, ICountedConsumer, IDisposable
 {
     internal const string DefaultName = "queue";
     internal const int MaxCapacity = 1 << 20;
@@ -39,10 +39,7 @@ public sealed class FrameQueue : IPacketConsumer, ICountedConsumer, IDisposable
     private readonly Func<bool>? _backPressure;
     private readonly FrameThinner? _thinner;
     private long _dropped;
-    private FrameSignal? _signal;
     private int _pumping;
-    private int _unsignalled;
-    private int _awaiting;
     private volatile bool _isComplete;
     private volatile bool _disposed;
 
@@ -103,14 +100,6 @@ public sealed class FrameQueue : IPacketConsumer, ICountedConsumer, IDisposable
 
     // Called on the receive thread after each frame, and when adding is completed.
     internal Action? Changed { get; set; }
-
-    // Whether a consumer has something to do. In a flood, it waits for more.
-    internal bool HasChanged => HasEnough || _isComplete || _disposed;
-
-    private bool HasEnough => Count >= (_signal is { IsFlooded: true } ? PartSize : 1);
-
-    // A power of two, as the capacity.
-    private int PartSize => Math.Max(1, Capacity / FrameSignal.PartsOfQueue);
 
     /// <summary>
     /// Calls a handler for every waiting frame, oldest first, on this thread. Returns at once if no frame waits. Frames that arrive during the call are
@@ -186,23 +175,6 @@ public sealed class FrameQueue : IPacketConsumer, ICountedConsumer, IDisposable
         }
     }
 
-    /// <summary>Waits until a frame is in the queue. Call <c>Pump</c> then, on any thread.</summary>
-    /// <param name="cancellationToken">Ends the wait with an <see cref="OperationCanceledException"/>; the queue continues.</param>
-    /// <returns>False if no frame will follow: the reader has stopped and the queue is empty, or the queue was disposed.</returns>
-    /// <exception cref="InvalidOperationException">Another wait for this queue has not ended; it continues.</exception>
-    /// <remarks>
-    /// Only one wait at a time. It costs nothing while frames wait. The code after it runs on a pool thread, or on the caller's context. While frames come
-    /// faster than this code can be woken, such as those of an unpaced playback, a wait can last a millisecond longer, so that fewer wake-ups are needed.
-    /// </remarks>
-    public ValueTask<bool> WaitAsync(CancellationToken cancellationToken = default)
-    {
-        // Also if frames wait: a loop that is slower than the stream would never end.
-        if (cancellationToken.IsCancellationRequested)
-            return new ValueTask<bool>(Task.FromCanceled<bool>(cancellationToken));
-
-        return HasEnough && !_disposed ? new ValueTask<bool>(true) : WaitForFrameAsync(cancellationToken);
-    }
-
     /// <summary>Removes the queue from its reader and discards the waiting frames. Any thread, any number of times.</summary>
     public void Dispose()
     {
@@ -212,15 +184,6 @@ public sealed class FrameQueue : IPacketConsumer, ICountedConsumer, IDisposable
         _disposed = true;
         _closed(this);
         _signal?.Set();
-    }
-
-    // Makes waits cheap from the first one on. Called before the queue gets its first frame.
-    // clock: null for the usual one.
-    internal void PrepareWaiting(Func<long>? clock = null)
-    {
-        var signal = new FrameSignal(this, clock);
-        Changed = signal.Set;
-        _signal = signal;
     }
 
     // Stops adding frames. Waiting frames can still be taken out.
@@ -244,37 +207,7 @@ public sealed class FrameQueue : IPacketConsumer, ICountedConsumer, IDisposable
         else if (!ring.TryEnqueue(packet) && !(WaitForRoom() && ring.TryEnqueue(packet)))
             Volatile.Write(ref _dropped, _dropped + 1);
 
-        // While frames come faster than a consumer can wake, a wake-up for each part of the queue costs less, and none costs the receive thread a fence.
-        if (_signal is not { IsFlooded: true } || (++_unsignalled & (PartSize - 1)) == 0)
-            Changed?.Invoke();
-    }
-
-    private async ValueTask<bool> WaitForFrameAsync(CancellationToken cancellationToken)
-    {
-        if (Interlocked.Exchange(ref _awaiting, 1) != 0)
-            throw new InvalidOperationException("Only one wait at a time is possible for a queue. Open a queue for each consumer.");
-
-        try
-        {
-            if (_signal is null)
-                PrepareWaiting();
-
-            while (true)
-            {
-                // In this order: the last frame arrives before the end.
-                bool hasEnded = _isComplete || _disposed;
-                if (!hasEnded && !HasEnough)
-                    await _signal!.WaitAsync(cancellationToken).ConfigureAwait(false);
-                if (Count > 0 && !_disposed)
-                    return true;
-                if (hasEnded)
-                    return false;
-            }
-        }
-        finally
-        {
-            Volatile.Write(ref _awaiting, 0);
-        }
+        OnAdded();
     }
 
     // A packet of the first ring is in use until Release, and one of the second ring until the next call.

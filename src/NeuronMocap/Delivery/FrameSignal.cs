@@ -3,12 +3,12 @@ using System.Diagnostics.CodeAnalysis;
 
 namespace NeuronMocap.Delivery;
 
-// Wakes the one consumer that waits for a frame of a queue.
+// Wakes the one consumer that waits for a frame of a queue, on a thread of its own or on the thread pool.
 //
 // To wake a thread takes the time of many frames. A consumer that empties the queue faster than it fills would be woken for each few frames of a stream that
 // comes as fast as it can, such as a recording that is played unpaced. While waits follow each other closely, the receive thread therefore signals only once
 // for each part of the queue, and the consumer looks again after a millisecond. No stream in real time comes that fast.
-[SuppressMessage("Design", "CA1001", Justification = "The semaphore holds no handle, and the receive thread may release it after the end.")]
+[SuppressMessage("Design", "CA1001", Justification = "The receive thread may signal after the end. The semaphore holds no handle, and the event frees its own.")]
 internal sealed class FrameSignal(FrameQueue queue, Func<long>? clock = null)
 {
     // The receive thread goes on while the consumer wakes. The other half has room for that.
@@ -22,6 +22,7 @@ internal sealed class FrameSignal(FrameQueue queue, Func<long>? clock = null)
 
     private readonly Func<long> _clock = clock ?? Stopwatch.GetTimestamp;
     private readonly SemaphoreSlim _semaphore = new(0);
+    private AutoResetEvent? _wake; // Made by the first wait that blocks.
     private int _waiting;
     private volatile bool _isFlooded;
 
@@ -36,24 +37,57 @@ internal sealed class FrameSignal(FrameQueue queue, Func<long>? clock = null)
     // Any thread. A full fence separates the packet, which is stored before, from the look at the announcement.
     public void Set()
     {
-        if (Interlocked.Exchange(ref _waiting, 0) == 1)
-            _semaphore.Release();
+        switch ((Waiter)Interlocked.Exchange(ref _waiting, (int)Waiter.None))
+        {
+            case Waiter.Task:
+                _semaphore.Release();
+                break;
+            case Waiter.Thread:
+                _wake!.Set();
+                break;
+        }
     }
 
     // May return too early.
     public async Task WaitAsync(CancellationToken cancellationToken)
     {
-        bool looksAgain = _looksAgain;
-        _looksAgain = JudgeFlood();
-        TimeSpan limit = looksAgain || _looksAgain ? NextLook : Timeout.InfiniteTimeSpan;
-
-        // Announces the wait, then looks again: what arrived before the announcement did not release the semaphore.
-        Interlocked.Exchange(ref _waiting, 1);
-        if (!queue.HasChanged)
+        TimeSpan limit = ChooseLimit();
+        if (Announce(Waiter.Task))
             await _semaphore.WaitAsync(limit, cancellationToken).ConfigureAwait(false);
 
-        Interlocked.Exchange(ref _waiting, 0);
+        Withdraw();
     }
+
+    // May return too early. An event, because the semaphore spins before it blocks, and takes a third more processor time.
+    public void Wait(CancellationToken cancellationToken)
+    {
+        _wake ??= new AutoResetEvent(initialState: false);
+        TimeSpan limit = ChooseLimit();
+        using (cancellationToken.Register(static signal => ((FrameSignal)signal!).Set(), this))
+        {
+            if (Announce(Waiter.Thread) && !cancellationToken.IsCancellationRequested)
+                _wake.WaitOne(limit);
+        }
+
+        Withdraw();
+        cancellationToken.ThrowIfCancellationRequested();
+    }
+
+    private TimeSpan ChooseLimit()
+    {
+        bool looksAgain = _looksAgain;
+        _looksAgain = JudgeFlood();
+        return looksAgain || _looksAgain ? NextLook : Timeout.InfiniteTimeSpan;
+    }
+
+    // Announces the wait, then looks again: what arrived before the announcement gave no signal. Returns whether there is nothing to do yet.
+    private bool Announce(Waiter waiter)
+    {
+        Interlocked.Exchange(ref _waiting, (int)waiter);
+        return !queue.HasChanged;
+    }
+
+    private void Withdraw() => Interlocked.Exchange(ref _waiting, (int)Waiter.None);
 
     private bool JudgeFlood()
     {
@@ -63,5 +97,12 @@ internal sealed class FrameSignal(FrameQueue queue, Func<long>? clock = null)
         _isFlooded = _quickWaits >= QuickWaits;
         (_lastWait, _delivered) = (now, delivered);
         return _isFlooded;
+    }
+
+    private enum Waiter
+    {
+        None,
+        Task,
+        Thread,
     }
 }

@@ -1,3 +1,5 @@
+using System.Runtime.CompilerServices;
+
 namespace NeuronMocap.Protocol;
 
 // Joins the pieces in which one sender's bytes arrive. Packets and lines that lie completely in a piece are read in place. Only the unfinished tail of a
@@ -57,7 +59,9 @@ internal sealed class PacketAssembler(PacketScanner scanner, IPacketReceiver rec
     public void JoinLate() => _scanner.Restart();
 
     // Returns the bytes in which no packet was found yet. Small methods on the path of every packet are inlined by attribute, because code that is
-    // compiled ahead of time has no profile.
+    // compiled ahead of time has no profile. This method is not: as a part of a larger one, it would exceed what the compiler inlines into one method, and
+    // the scan of every packet would consist of calls.
+    [MethodImpl(MethodImplOptions.NoInlining)]
     private ArraySegment<byte> Deliver(byte[] bytes, int offset, int count, long timestamp)
     {
         while (count > 0)

@@ -30,7 +30,8 @@ internal static class Throughput
             Way[] ways =
             [
                 new("callback", () => CallbackAsync(perWrite, frames)),
-                new("queue", () => QueueAsync(perWrite, frames)),
+                new("queue", () => QueueAsync(perWrite, frames, TakeOnThreadAsync)),
+                new("queue, WaitAsync", () => QueueAsync(perWrite, frames, TakeOnPoolAsync)),
                 new("newest", () => NewestAsync(perWrite, frames)),
             ];
             report.Add(await Alternation.RunAsync($"{perWrite} frames/write", runs, new Way("raw", () => FloorAsync(perWrite, frames)), ways, Aims));
@@ -82,19 +83,38 @@ internal static class Throughput
         return ToFigures(reader, cpu, frames, counted, allocated / (double)frames);
     }
 
-    public static async Task<Measurements> QueueAsync(int perWrite, int frames)
+    public static async Task<Measurements> QueueAsync(int perWrite, int frames, Func<FrameQueue, Task<long>> takeAsync)
     {
         using Peer sender = await StartSenderAsync(perWrite, frames);
         await using NeuronReader reader = CreateReader(sender);
         using FrameQueue queue = reader.OpenQueue(new FrameQueueOptions { Capacity = QueueCapacity, WhenFull = WhenFull.Wait });
-        long counted = 0;
         TimeSpan cpu = RuntimeFigures.CpuTime;
         reader.Start();
+        long counted = await takeAsync(queue);
+        await reader.Completion;
+        return ToFigures(reader, cpu, frames, counted);
+    }
+
+    private static Task<long> TakeOnThreadAsync(FrameQueue queue) => Task.Factory.StartNew(
+        () =>
+        {
+            long counted = 0;
+            while (queue.Wait())
+                counted += queue.Pump<MotionFrame>(static _ => { });
+
+            return counted;
+        },
+        CancellationToken.None,
+        TaskCreationOptions.LongRunning,
+        TaskScheduler.Default);
+
+    private static async Task<long> TakeOnPoolAsync(FrameQueue queue)
+    {
+        long counted = 0;
         while (await queue.WaitAsync())
             counted += queue.Pump<MotionFrame>(static _ => { });
 
-        await reader.Completion;
-        return ToFigures(reader, cpu, frames, counted);
+        return counted;
     }
 
     // Newer frames replace older ones by design, so only frames that were not received count as lost.
