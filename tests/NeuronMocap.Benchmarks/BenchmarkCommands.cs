@@ -42,10 +42,12 @@ internal static class BenchmarkCommands
     public static Command Flood()
     {
         var perWrite = new Option<int>("--per-write") { Required = true };
+        var isPaced = new Option<bool>("--paced");
         var flood = new Command("flood", "The sender of throughput, in its own process.") { Hidden = true };
         flood.Add(perWrite);
         flood.Add(Frames);
-        flood.SetAction(result => FloodSender.Run(result.GetValue(perWrite), result.GetValue(Frames)));
+        flood.Add(isPaced);
+        flood.SetAction(result => FloodSender.Run(result.GetValue(perWrite), result.GetValue(Frames), result.GetValue(isPaced)));
         return flood;
     }
 

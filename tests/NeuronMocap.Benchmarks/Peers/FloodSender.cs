@@ -1,13 +1,14 @@
+using System.Diagnostics;
 using System.Net;
 using System.Net.Sockets;
 using System.Runtime.InteropServices;
 
 namespace NeuronMocap.Benchmarks.Peers;
 
-// Sends a number of frames to one client as fast as the client takes them, prints the sum of all 32-bit words sent, and ends.
+// Sends a number of frames to one client as fast as the client takes them, or one write in each millisecond. Prints the sum of all 32-bit words sent, and ends.
 internal static class FloodSender
 {
-    public static void Run(int perWrite, int frames)
+    public static void Run(int perWrite, int frames, bool isPaced)
     {
         byte[] block = new byte[perWrite * TestFrame.Size];
         ulong[] sums = new ulong[perWrite];
@@ -25,8 +26,12 @@ internal static class FloodSender
         socket.NoDelay = true;
         uint index = 0;
         ulong sum = 0;
+        long due = Stopwatch.GetTimestamp();
         for (int sent = 0; sent < frames; sent += perWrite)
         {
+            if (isPaced)
+                PacedSender.WaitUntil(due += Stopwatch.Frequency / 1000);
+
             int count = Math.Min(perWrite, frames - sent);
             for (int i = 0; i < count; i++)
             {
