@@ -34,6 +34,21 @@ public sealed class BroadcasterMaxRateTests
         Expect.Frames(await BroadcastAsync(options), options, 3);
     }
 
+    // A name of full length has bytes wherever a field of the other layout is.
+    [Theory]
+    [InlineData(false, null)]
+    [InlineData(false, 70)]
+    [InlineData(true, null)]
+    [InlineData(true, 70)]
+    public async Task Every_header_is_the_avatars_own(bool isOld, int? fragment)
+    {
+        BroadcasterOptions options = Expect.Options(avatars: 2, frames: 5);
+        options.DataVersion = isOld ? DataVersion.Old : DataVersion.New;
+        options.AvatarNames = [new string('A', 31), new string('B', 31)];
+        options.Fragment = fragment;
+        Expect.Frames(await BroadcastAsync(options), options, 5);
+    }
+
     [Theory]
     [InlineData(1, 946, null)]
     [InlineData(3, 946, null)]

@@ -12,8 +12,9 @@ internal class BinaryFrameEncoder : FrameEncoder
     public BinaryFrameEncoder(FramePlan plan)
         : base(plan)
     {
-        _headers = new byte[plan.HasMotion ? plan.AvatarCount * ProtocolConstants.HeaderSize : 0];
-        for (int avatar = 0; avatar * ProtocolConstants.HeaderSize < _headers.Length; avatar++)
+        int count = plan.HasMotion ? plan.AvatarCount : 0;
+        _headers = new byte[count * ProtocolConstants.HeaderSize];
+        for (int avatar = 0; avatar < count; avatar++)
             CreateHeader(avatar).Write(HeaderOf(avatar));
     }
 

@@ -6,12 +6,23 @@ namespace NeuronMocap;
 // The waits of a consumer.
 public sealed partial class FrameQueue
 {
-    private FrameSignal? _signal;
+    // Both are published to the receive thread while it runs.
+    private volatile FrameSignal? _signal;
+    private volatile Action? _changed;
     private int _unsignalled;
     private int _awaiting;
 
+    // Called on the receive thread after each frame, and when adding is completed.
+    internal Action? Changed
+    {
+        get => _changed;
+        set => _changed = value;
+    }
+
     // Whether a consumer has something to do. In a flood, it waits for more.
-    internal bool HasChanged => HasEnough || _isComplete || _disposed;
+    internal bool HasChanged => HasEnough || HasEnded;
+
+    private bool HasEnded => _isComplete || _disposed;
 
     private bool HasEnough => Count >= (_signal is { IsFlooded: true } ? PartSize : 1);
 
@@ -23,8 +34,8 @@ public sealed partial class FrameQueue
     /// <returns>False if no frame will follow: the reader has stopped and the queue is empty, or the queue was disposed.</returns>
     /// <exception cref="InvalidOperationException">Another wait for this queue has not ended; it continues.</exception>
     /// <remarks>
-    /// Only one wait at a time. It costs nothing while frames wait. The code after it runs on a pool thread, or on the caller's context. While frames come
-    /// faster than this code can be woken, such as those of an unpaced playback, a wait can last a millisecond longer, so that fewer wake-ups are needed.
+    /// Only one wait at a time. The code after it runs on a pool thread, or on the caller's context. From about 40,000 frames a second on, such as those of an
+    /// unpaced playback, it waits for more than one frame. A wait can then last a millisecond longer, and on Windows up to 16.
     /// </remarks>
     public ValueTask<bool> WaitAsync(CancellationToken cancellationToken = default)
     {
@@ -41,13 +52,10 @@ public sealed partial class FrameQueue
     /// <exception cref="InvalidOperationException">Another wait for this queue has not ended; it continues.</exception>
     /// <remarks>
     /// <para>
-    /// For a thread that does nothing else. At thousands of frames a second, it takes less processor time than <see cref="WaitAsync"/>, because no thread
-    /// pool takes part.
+    /// For a thread that does nothing else. At many thousands of frames a second, it takes less processor time than <see cref="WaitAsync"/>, because no
+    /// thread pool takes part. Otherwise the same as <see cref="WaitAsync"/>.
     /// </para>
-    /// <para>
-    /// Do not call this method in a handler of the reader. Handlers run on the receive thread, so no frame could arrive. While frames come faster than a
-    /// thread can be woken, a wait can last a millisecond longer.
-    /// </para>
+    /// <para>Do not call it in a handler of the reader. Handlers run on the receive thread, so no frame could arrive.</para>
     /// </remarks>
     public bool Wait(CancellationToken cancellationToken = default)
     {
@@ -68,7 +76,7 @@ public sealed partial class FrameQueue
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     private void OnAdded()
     {
-        // While frames come faster than a consumer can wake, a wake-up for each part of the queue costs less, and none costs the receive thread a fence.
+        // While frames come faster than a consumer can wake, a wake-up for each part of the queue costs less. A frame without one costs no fence.
         if (_signal is not { IsFlooded: true } || (++_unsignalled & (PartSize - 1)) == 0)
             Changed?.Invoke();
     }
@@ -80,14 +88,11 @@ public sealed partial class FrameQueue
         {
             while (true)
             {
-                // In this order: the last frame arrives before the end.
-                bool hasEnded = _isComplete || _disposed;
+                bool hasEnded = HasEnded;
                 if (!hasEnded && !HasEnough)
                     await signal.WaitAsync(cancellationToken).ConfigureAwait(false);
-                if (Count > 0 && !_disposed)
-                    return true;
-                if (hasEnded)
-                    return false;
+                if (Answer(hasEnded) is { } answer)
+                    return answer;
             }
         }
         finally
@@ -104,13 +109,11 @@ public sealed partial class FrameQueue
         {
             while (true)
             {
-                bool hasEnded = _isComplete || _disposed;
+                bool hasEnded = HasEnded;
                 if (!hasEnded && !HasEnough)
                     signal.Wait(cancellationToken);
-                if (Count > 0 && !_disposed)
-                    return true;
-                if (hasEnded)
-                    return false;
+                if (Answer(hasEnded) is { } answer)
+                    return answer;
             }
         }
         finally
@@ -118,6 +121,9 @@ public sealed partial class FrameQueue
             EndWait();
         }
     }
+
+    // hasEnded was read before, because the last frame arrives before the end. Null if there is nothing to say yet.
+    private bool? Answer(bool hasEnded) => Count > 0 && !_disposed ? true : hasEnded ? false : null;
 
     private FrameSignal BeginWait()
     {

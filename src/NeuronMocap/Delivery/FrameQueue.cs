@@ -12,7 +12,8 @@ namespace NeuronMocap;
 /// <remarks>
 /// <para>
 /// When the queue is full, arriving frames are dropped and counted in <see cref="Dropped"/>; waiting frames are kept. Other queues and the connection are
-/// not affected. <see cref="FrameQueueOptions.WhenFull"/> chooses otherwise. Only one thread at a time may pump.
+/// not affected. <see cref="FrameQueueOptions.WhenFull"/> chooses otherwise. Only one thread at a time may pump. A thread with no other work can wait for
+/// frames with <see cref="Wait"/>, and asynchronous code with <see cref="WaitAsync"/>.
 /// </para>
 /// <para>
 /// The queue allocates its memory when it is opened: 1.5 KB for each frame of its capacity. A slot grows once when it first holds a larger packet, such as
@@ -97,9 +98,6 @@ public sealed partial class FrameQueue : IPacketConsumer, ICountedConsumer, IDis
 
     // The only kind of frame that is added; None for all kinds.
     internal PacketKind OnlyKind { get; init; }
-
-    // Called on the receive thread after each frame, and when adding is completed.
-    internal Action? Changed { get; set; }
 
     /// <summary>
     /// Calls a handler for every waiting frame, oldest first, on this thread. Returns at once if no frame waits. Frames that arrive during the call are

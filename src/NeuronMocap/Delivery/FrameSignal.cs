@@ -6,18 +6,18 @@ namespace NeuronMocap.Delivery;
 // Wakes the one consumer that waits for a frame of a queue, on a thread of its own or on the thread pool.
 //
 // To wake a thread takes the time of many frames. A consumer that empties the queue faster than it fills would be woken for each few frames of a stream that
-// comes as fast as it can, such as a recording that is played unpaced. While waits follow each other closely, the receive thread therefore signals only once
-// for each part of the queue, and the consumer looks again after a millisecond. No stream in real time comes that fast.
+// comes as fast as it can, such as a recording that is played unpaced. In such a flood, the receive thread therefore signals only once for each part of the
+// queue, and the consumer looks again after a millisecond. A flood is more than 330 avatars send at 120 Hz.
 [SuppressMessage("Design", "CA1001", Justification = "The receive thread may signal after the end. The semaphore holds no handle, and the event frees its own.")]
 internal sealed class FrameSignal(FrameQueue queue, Func<long>? clock = null)
 {
     // The receive thread goes on while the consumer wakes. The other half has room for that.
     public const int PartsOfQueue = 2;
 
-    // So many waits in a row, each soon after the one before, begin a flood. So many frames between two looks let it go on.
-    private const int QuickWaits = 32;
-    private const long FramesOfFlood = 32;
-    private static readonly long Soon = Stopwatch.Frequency / 10_000;
+    // So many frames a second are a flood. They are counted over so many waits, and during a flood over each.
+    private const long FloodRate = 40_000;
+    private const int WaitsOfCount = 32;
+    private static readonly long Millisecond = Stopwatch.Frequency / 1000;
     private static readonly TimeSpan NextLook = TimeSpan.FromMilliseconds(1);
 
     private readonly Func<long> _clock = clock ?? Stopwatch.GetTimestamp;
@@ -26,11 +26,12 @@ internal sealed class FrameSignal(FrameQueue queue, Func<long>? clock = null)
     private int _waiting;
     private volatile bool _isFlooded;
 
-    // Consumer. The receive thread may not see a change of the flood yet, or not know the signal. One wait that looks again after a time makes up for it.
-    private bool _looksAgain = true;
-    private long _lastWait;
+    // Consumer. The receive thread reads the flood, and whether there is a signal, without a fence. A frame that it stores meanwhile may give no signal. For a
+    // millisecond after a change, which is longer than any store takes, all waits therefore look again.
+    private long _looksUntil = Stopwatch.GetTimestamp() + Millisecond;
+    private long _counted;
     private long _delivered;
-    private int _quickWaits;
+    private int _waits;
 
     public bool IsFlooded => _isFlooded;
 
@@ -75,9 +76,12 @@ internal sealed class FrameSignal(FrameQueue queue, Func<long>? clock = null)
 
     private TimeSpan ChooseLimit()
     {
-        bool looksAgain = _looksAgain;
-        _looksAgain = JudgeFlood();
-        return looksAgain || _looksAgain ? NextLook : Timeout.InfiniteTimeSpan;
+        long now = Stopwatch.GetTimestamp();
+        bool wasFlooded = _isFlooded;
+        if (JudgeFlood() || wasFlooded)
+            _looksUntil = now + Millisecond;
+
+        return now < _looksUntil ? NextLook : Timeout.InfiniteTimeSpan;
     }
 
     // Announces the wait, then looks again: what arrived before the announcement gave no signal. Returns whether there is nothing to do yet.
@@ -91,11 +95,12 @@ internal sealed class FrameSignal(FrameQueue queue, Func<long>? clock = null)
 
     private bool JudgeFlood()
     {
+        if (!_isFlooded && ++_waits < WaitsOfCount)
+            return false;
+
         long now = _clock(), delivered = queue.Delivered;
-        bool goesOn = _isFlooded ? delivered - _delivered >= FramesOfFlood : now - _lastWait < Soon;
-        _quickWaits = goesOn ? _quickWaits + 1 : 0;
-        _isFlooded = _quickWaits >= QuickWaits;
-        (_lastWait, _delivered) = (now, delivered);
+        _isFlooded = (delivered - _delivered) * Stopwatch.Frequency >= FloodRate * (now - _counted);
+        (_counted, _delivered, _waits) = (now, delivered, 0);
         return _isFlooded;
     }
 

@@ -49,14 +49,25 @@ internal static class Expect
         var layout = new ChannelLayout(options.IncludeDisplacement ?? true, options.IncludeReference);
         DataVersion version = options.DataVersion ?? (options.Format == BroadcastFormat.Studio ? DataVersion.Studio : DataVersion.New);
         bool isNew = version.Minor == 1;
+        string name = options.AvatarNames.Count > avatar ? options.AvatarNames[avatar] : $"Char{avatar:00}";
         Assert.True(MotionHeader.TryRead(packet, out MotionHeader header));
-        Assert.Equal(version, header.Version);
-        Assert.Equal(layout.ValueCount, header.ValueCount);
-        Assert.Equal(layout.HasDisplacement, header.HasDisplacement);
-        Assert.Equal(layout.HasReference, header.HasReference);
-        Assert.Equal(avatar, header.AvatarIndex);
-        Assert.Equal(isNew ? (uint)frame : null, header.FrameIndex);
-        Assert.Equal(options.AvatarNames.Count > avatar ? options.AvatarNames[avatar] : $"Char{avatar:00}", header.AvatarName.ToString());
+        byte[] expectedHeader = new byte[ProtocolConstants.HeaderSize];
+        new MotionHeader
+        {
+            Version = version,
+            ValueCount = layout.ValueCount,
+            HasDisplacement = layout.HasDisplacement,
+            HasReference = layout.HasReference,
+            AvatarIndex = avatar,
+            AvatarName = new AvatarName(name),
+            FrameIndex = isNew ? (uint)frame : null,
+            Reserved = version == DataVersion.Studio ? (uint)options.RotationOrder : 0,
+
+            // The timecode has tests of its own.
+            Reserved1 = options.Format == BroadcastFormat.Studio ? header.Reserved1 : 0,
+            Reserved2 = options.Format == BroadcastFormat.Studio ? header.Reserved2 : 0,
+        }.Write(expectedHeader);
+        Assert.Equal(expectedHeader, packet[..ProtocolConstants.HeaderSize]);
         float[] expected = new float[layout.ValueCount];
         options.Sources[avatar].WriteValues(frame, layout, options.RotationOrder, expected);
         AssertBits(expected, packet);
