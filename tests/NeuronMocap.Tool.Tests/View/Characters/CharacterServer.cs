@@ -1,5 +1,5 @@
-using System.Net.Http.Json;
 using System.Net.WebSockets;
+using System.Text;
 using System.Text.Json;
 using System.Text.Json.Nodes;
 using NeuronMocap.Tool.Arguments;
@@ -28,7 +28,7 @@ internal sealed class CharacterServer : IAsyncDisposable
         NeuronReader reader, ControlHub hub, LiveSession live, ScratchFolder scratch, ITakeLibrary takes, CharacterLibrary library, ViewServer server)
     {
         (_reader, _hub, _live, _scratch, Takes, Library, _server) = (reader, hub, live, scratch, takes, library, server);
-        _http = new HttpClient { BaseAddress = new Uri($"http://{server.LocalEndPoint}/"), Timeout = Limit };
+        _http = new HttpClient(new SocketsHttpHandler { Expect100ContinueTimeout = Limit }) { BaseAddress = new Uri($"http://{server.LocalEndPoint}/"), Timeout = Limit };
     }
 
     public CharacterLibrary Library { get; }
@@ -69,7 +69,12 @@ internal sealed class CharacterServer : IAsyncDisposable
 
     public async Task<(int Status, JsonElement Body)> SendAsync(HttpMethod method, string path, JsonNode? body = null)
     {
-        using var request = new HttpRequestMessage(method, path) { Content = body is null ? null : JsonContent.Create(body) };
+        using var request = new HttpRequestMessage(method, path);
+        if (body is not null)
+            request.Content = new StringContent(body.ToJsonString(), Encoding.UTF8, "application/json");
+
+        // The server closes the connection when it refuses a body. Its answer could be lost while the client still sends, so the client asks first.
+        request.Headers.ExpectContinue = body is not null;
         using HttpResponseMessage answer = await _http.SendAsync(request, TestContext.Current.CancellationToken);
         byte[] bytes = await answer.Content.ReadAsByteArrayAsync(TestContext.Current.CancellationToken);
         return ((int)answer.StatusCode, bytes.Length == 0 ? default : JsonDocument.Parse(bytes).RootElement);
