@@ -99,7 +99,7 @@ internal sealed class FrameSignal(FrameQueue queue, Func<long>? clock = null)
             return false;
 
         long now = _clock(), delivered = queue.Delivered;
-        _isFlooded = (delivered - _delivered) * Stopwatch.Frequency >= FloodRate * (now - _counted);
+        _isFlooded = (delivered - _delivered) / (double)FloodRate >= (now - _counted) / (double)Stopwatch.Frequency;
         (_counted, _delivered, _waits) = (now, delivered, 0);
         return _isFlooded;
     }

@@ -196,5 +196,32 @@ public sealed class FrameQueueWaitTests
         Assert.Equal(Frames - (EndsWith - BeginsWith), signals);
     }
 
+    // The first count begins when the computer started. Days in ticks, times the rate of a flood, do not fit into 64 bits.
+    [Fact]
+    public async Task A_slow_stream_is_no_flood_on_a_computer_that_runs_for_days()
+    {
+        const int Frames = 40;
+        using var queue = new FrameQueue(64, SkeletonFormat.Default, static _ => { });
+        long now = 10 * 24 * 3600 * Stopwatch.Frequency;
+        queue.PrepareWaiting(() => now += Stopwatch.Frequency);
+        int signals = 0;
+        Action set = queue.Changed!;
+        queue.Changed = () =>
+        {
+            signals++;
+            set();
+        };
+
+        for (int i = 0; i < Frames; i++)
+        {
+            Task<bool> wait = queue.WaitAsync(Cancelled).AsTask();
+            ((IPacketConsumer)queue).OnPacket(new ReceivedPacket(PacketKind.Motion, TestPackets.Motion(i), 0, 0));
+            Assert.True(await wait.Soon());
+            queue.Pump<MotionFrame>(static _ => { });
+        }
+
+        Assert.Equal(Frames, signals);
+    }
+
     private void Publish(int index) => ((IPacketConsumer)_queue).OnPacket(new ReceivedPacket(PacketKind.Motion, TestPackets.Motion(index), 0, 0));
 }
