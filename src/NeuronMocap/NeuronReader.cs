@@ -232,10 +232,10 @@ public sealed partial class NeuronReader : IDisposable, IAsyncDisposable
     internal bool StartsOnPool { get; init; }
 
     // Whether consumers are getting a packet now. The statistics count a packet before its first consumer gets it.
-    internal bool IsDelivering => _pipeline.DeliveringThread != 0;
+    internal bool IsDelivering => _pipeline.IsDelivering;
 
-    // On the thread that is delivering: its managed number.
-    internal int DeliveringThread => _pipeline.DeliveringThread;
+    // In a handler of frames or replies: the managed number of its thread.
+    internal int HandlerThread => _pipeline.HandlerThread;
 
     // Frames use discovered values from the moment of discovery. The next status reports them.
     internal FrameFormat Format => _format;

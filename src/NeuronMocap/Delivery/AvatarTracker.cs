@@ -16,8 +16,8 @@ internal readonly record struct LossTotals(long Lost, long Gaps, long Restarts)
 internal sealed class AvatarTracker(
     PacketKind kind, int origin, uint avatar, IDurationRecorder? intervals = null, LossTotals forgotten = default)
 {
-    // Weight of a new interval in the running mean: about half a second at 120 Hz.
-    private const double Weight = 1.0 / 64;
+    // Number of intervals in the running mean: about half a second at 120 Hz.
+    private const int MeanLength = 64;
 
     private readonly IndexTracker _index = new();
     private readonly byte[] _name = new byte[ProtocolConstants.AvatarNameSize];
@@ -82,7 +82,7 @@ internal sealed class AvatarTracker(
     // name: the bytes of the header, which are compared as a whole.
     public void OnFrame(ReadOnlySpan<byte> name, uint? index, long timestamp)
     {
-        if (_frames == 0 || !name.SequenceEqual(_name))
+        if (!name.SequenceEqual(_name))
             Rename(name);
         if (!_resumed)
         {
@@ -112,7 +112,7 @@ internal sealed class AvatarTracker(
     private void Average(double ticks)
     {
         // Uses a plain mean until there are enough intervals. The first intervals, of frames that arrived in one chunk, would otherwise weigh too much.
-        double weight = _intervals < 1 / Weight ? 1.0 / ++_intervals : Weight;
+        double weight = _intervals < MeanLength ? 1.0 / ++_intervals : 1.0 / MeanLength;
         double difference = ticks - _interval;
         Volatile.Write(ref _interval, _interval + (weight * difference));
         Volatile.Write(ref _variance, (1 - weight) * (_variance + (weight * difference * difference)));

@@ -31,7 +31,13 @@ internal sealed class AvatarTrackers(IDurationRecorder? intervals)
     public AvatarTracker? Find(in ReceivedPacket packet, uint avatar)
     {
         if (_last?.Next is { } next && next.Avatar == avatar && next.Kind == packet.Kind && next.Origin == packet.Origin)
-            return _last = next;
+        {
+            // For one avatar, both are the same. A store of a reference costs a call of the runtime.
+            if (next != _last)
+                _last = next;
+
+            return next;
+        }
 
         if (!_trackers.TryGetValue((packet.Kind, packet.Sender, avatar), out AvatarTracker? tracker))
         {

@@ -8,10 +8,12 @@ namespace NeuronMocap.Delivery;
 internal sealed class FrameCallbacks : IPacketConsumer
 {
     private readonly FramePool _frames;
+    private readonly HandlerThread _thread;
     private readonly IFrameHandlers?[] _handlers = new IFrameHandlers?[(int)PacketKind.StudioCalculation + 1];
 
-    public FrameCallbacks(FrameFormat format, Action<Exception> failed)
+    public FrameCallbacks(FrameFormat format, Action<Exception> failed, HandlerThread thread)
     {
+        _thread = thread;
         _frames = new FramePool(format, FramePool.OfHandlers);
         _frames.Prepare(PacketKind.Motion);
         _handlers[(int)PacketKind.Motion] = Motion = new FrameHandlers<MotionFrame>(failed);
@@ -32,7 +34,9 @@ internal sealed class FrameCallbacks : IPacketConsumer
             return;
 
         AvatarFrame frame = _frames.Lend(packet);
+        _thread.Enter();
         handlers.Invoke(frame);
+        _thread.Leave();
         frame.Expire();
     }
 }

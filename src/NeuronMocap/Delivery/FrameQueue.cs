@@ -142,6 +142,7 @@ public sealed partial class FrameQueue : IPacketConsumer, ICountedConsumer, IDis
         if (Interlocked.Exchange(ref _pumping, 1) != 0)
             throw new InvalidOperationException("Only one thread at a time may pump a queue, and its handlers must not pump it. Open a queue for each thread.");
 
+        AvatarFrame? lent = null;
         try
         {
             int taken = 0;
@@ -151,24 +152,25 @@ public sealed partial class FrameQueue : IPacketConsumer, ICountedConsumer, IDis
                 if (_handOver is { IsEnabled: true })
                     _handOver.Record(packet.Kind, Stopwatch.GetTimestamp() - packet.Timestamp);
 
-                AvatarFrame? lent = null;
-                try
-                {
-                    lent = _frames.Lend(packet);
-                    if (lent is TFrame frame)
-                        handler(state, frame);
-                }
-                finally
-                {
-                    lent?.Expire();
-                    _ring?.Release();
-                }
+                lent = _frames.Lend(packet);
+                if (lent is TFrame frame)
+                    handler(state, frame);
+
+                lent.Expire();
+                lent = null;
+                _ring?.Release();
             }
 
             return taken;
         }
         finally
         {
+            if (lent is not null)
+            {
+                lent.Expire();
+                _ring?.Release();
+            }
+
             Volatile.Write(ref _pumping, 0);
         }
     }

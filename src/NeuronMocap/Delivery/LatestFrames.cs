@@ -60,20 +60,34 @@ public sealed class LatestFrames : IPacketConsumer, ICountedConsumer, IDisposabl
     /// true for the same avatar; its members then throw. <c>Clone</c> makes a copy to keep.
     /// </param>
     /// <returns>True when the frame is new since the last call.</returns>
-    public bool TryTakeMotion(int avatarIndex, [NotNullWhen(true)] out MotionFrame? frame) => TryTake(PacketKind.Motion, avatarIndex, out frame);
+    public bool TryTakeMotion(int avatarIndex, [NotNullWhen(true)] out MotionFrame? frame)
+    {
+        bool isNew = TryTake(PacketKind.Motion, avatarIndex, out AvatarFrame? newest);
+        frame = (MotionFrame?)newest;
+        return isNew;
+    }
 
     /// <summary>Takes the newest calculation frame of an avatar, if it was not taken before.</summary>
     /// <param name="avatarIndex">Number of the avatar, from 0.</param>
     /// <param name="frame">As for <see cref="TryTakeMotion"/>.</param>
     /// <returns>True when the frame is new since the last call.</returns>
-    public bool TryTakeCalculation(int avatarIndex, [NotNullWhen(true)] out CalculationFrame? frame) => TryTake(PacketKind.Calculation, avatarIndex, out frame);
+    public bool TryTakeCalculation(int avatarIndex, [NotNullWhen(true)] out CalculationFrame? frame)
+    {
+        bool isNew = TryTake(PacketKind.Calculation, avatarIndex, out AvatarFrame? newest);
+        frame = (CalculationFrame?)newest;
+        return isNew;
+    }
 
     /// <summary>Takes the newest Axis Studio calculation frame of an avatar, if it was not taken before.</summary>
     /// <param name="avatarIndex">Number of the avatar, from 0.</param>
     /// <param name="frame">As for <see cref="TryTakeMotion"/>.</param>
     /// <returns>True when the frame is new since the last call.</returns>
-    public bool TryTakeStudioCalculation(int avatarIndex, [NotNullWhen(true)] out StudioCalculationFrame? frame) =>
-        TryTake(PacketKind.StudioCalculation, avatarIndex, out frame);
+    public bool TryTakeStudioCalculation(int avatarIndex, [NotNullWhen(true)] out StudioCalculationFrame? frame)
+    {
+        bool isNew = TryTake(PacketKind.StudioCalculation, avatarIndex, out AvatarFrame? newest);
+        frame = (StudioCalculationFrame?)newest;
+        return isNew;
+    }
 
     /// <summary>Removes this view from its reader. Any thread, any number of times.</summary>
     public void Dispose()
@@ -109,18 +123,18 @@ public sealed class LatestFrames : IPacketConsumer, ICountedConsumer, IDisposabl
 
     private static int PlaceOf(PacketKind kind, int avatarIndex) => ((int)kind * MaxAvatars) + avatarIndex;
 
-    private bool TryTake<TFrame>(PacketKind kind, int avatarIndex, [NotNullWhen(true)] out TFrame? frame)
-        where TFrame : AvatarFrame
+    // Not generic: code that generic arguments share calls the runtime for each cast.
+    private bool TryTake(PacketKind kind, int avatarIndex, [NotNullWhen(true)] out AvatarFrame? frame)
     {
         Slot? slot = (uint)avatarIndex < MaxAvatars ? Volatile.Read(ref _slots[PlaceOf(kind, avatarIndex)]) : null;
-        frame = (TFrame?)slot?.Frame;
+        frame = slot?.Frame;
         if (slot is null || !slot.Newest.TryTake(out ReceivedPacket packet))
             return false;
 
         if (_handOver is { IsEnabled: true })
             _handOver.Record(packet.Kind, Stopwatch.GetTimestamp() - packet.Timestamp);
 
-        frame = (TFrame)slot.Show(packet);
+        frame = slot.Show(packet);
         return true;
     }
 

@@ -23,10 +23,13 @@ internal sealed class PacketDispatcher(StreamCounters counters)
     // Commands, which do not concern consumers of frames, and packets without values are only counted.
     public void Dispatch(in ReceivedPacket packet)
     {
-        counters.Count(packet);
         if (!packet.IsFrame)
+        {
+            counters.CountPassedOver(packet);
             return;
+        }
 
+        counters.CountFrame(packet);
         foreach (IPacketConsumer consumer in _consumers)
             consumer.OnPacket(packet);
     }

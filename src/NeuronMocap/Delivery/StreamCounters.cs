@@ -53,12 +53,29 @@ internal sealed class StreamCounters(IDurationRecorder? intervals = null)
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public void Count(in ReceivedPacket packet)
     {
-        if (!packet.IsFrame)
+        if (packet.IsFrame)
+            CountFrame(packet);
+        else
             CountPassedOver(packet);
-        else if (packet.Kind == PacketKind.Motion)
+    }
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public void CountFrame(in ReceivedPacket packet)
+    {
+        if (packet.Kind == PacketKind.Motion)
             CountMotion(packet);
         else
             CountCalculation(packet);
+    }
+
+    public void CountPassedOver(in ReceivedPacket packet)
+    {
+        if (packet.Kind == PacketKind.Command)
+            Volatile.Write(ref _commandPackets, _commandPackets + 1);
+        else
+            Volatile.Write(ref _emptyPackets, _emptyPackets + 1);
+
+        Volatile.Write(ref _bytes, _bytes + packet.Length);
     }
 
     // Counts a packet that was found after the reader was stopped. Any thread.
@@ -116,7 +133,7 @@ internal sealed class StreamCounters(IDurationRecorder? intervals = null)
 
     private void CountMotion(in ReceivedPacket packet)
     {
-        ReadOnlySpan<byte> header = packet.Bytes;
+        ReadOnlySpan<byte> header = packet.Header;
         Volatile.Write(ref _motionFrames, _motionFrames + 1);
         CountBytes(packet);
         _avatars.Find(packet, MotionHeader.ReadAvatarIndex(header))
@@ -126,7 +143,7 @@ internal sealed class StreamCounters(IDurationRecorder? intervals = null)
     // Counts a calculation frame of Axis Neuron or Axis Studio; both headers have these fields in the same places.
     private void CountCalculation(in ReceivedPacket packet)
     {
-        ReadOnlySpan<byte> header = packet.Bytes;
+        ReadOnlySpan<byte> header = packet.Header;
         if (packet.Kind == PacketKind.Calculation)
             Volatile.Write(ref _calculationFrames, _calculationFrames + 1);
         else
@@ -135,16 +152,6 @@ internal sealed class StreamCounters(IDurationRecorder? intervals = null)
         CountBytes(packet);
         _avatars.Find(packet, CalculationHeader.ReadAvatarIndex(header))
             ?.OnFrame(CalculationHeader.AvatarNameIn(header), CalculationHeader.ReadFrameIndex(header), packet.Timestamp);
-    }
-
-    private void CountPassedOver(in ReceivedPacket packet)
-    {
-        if (packet.Kind == PacketKind.Command)
-            Volatile.Write(ref _commandPackets, _commandPackets + 1);
-        else
-            Volatile.Write(ref _emptyPackets, _emptyPackets + 1);
-
-        Volatile.Write(ref _bytes, _bytes + packet.Length);
     }
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

@@ -18,6 +18,7 @@ public sealed class MotionFrame : AvatarFrame
     private SkeletonFormat _format;
     private ChannelLayout _layout;
     private bool _hasSkeleton;
+    private int _laidOut; // The number of values that the layout is for.
 
     /// <summary>Creates a frame that owns its memory. Use it to test code that takes frames, or to provide frames from another source.</summary>
     /// <param name="header">The header; its count is replaced by the number of values.</param>
@@ -170,7 +171,13 @@ public sealed class MotionFrame : AvatarFrame
 
     private protected override void OnData()
     {
-        _hasSkeleton = ChannelLayout.TryFromValueCount(_data.ValueCount, out _layout);
+        int count = _data.ValueCount;
+        if (count != _laidOut)
+        {
+            _hasSkeleton = ChannelLayout.TryFromValueCount(count, out _layout);
+            _laidOut = count;
+        }
+
         _format = _source.Of(_data.Header);
     }
 

@@ -1,3 +1,4 @@
+using System.Buffers.Binary;
 using System.Runtime.CompilerServices;
 
 namespace NeuronMocap;
@@ -49,7 +50,7 @@ public readonly record struct DataVersion(byte Major, byte Minor, byte Revision,
     internal HeaderLayout Layout => this is { Major: <= 1, Minor: 0 } ? HeaderLayout.Old : HeaderLayout.New;
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    internal static bool IsOld(ReadOnlySpan<byte> source) => source[3] <= 1 && source[2] == 0;
+    internal static bool IsOld(ReadOnlySpan<byte> source) => (BinaryPrimitives.ReadUInt16LittleEndian(source[2..]) & ~0x0100) == 0;
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     internal static bool IsKnown(ReadOnlySpan<byte> source) => source[3] == 1 && source[2] <= 1;

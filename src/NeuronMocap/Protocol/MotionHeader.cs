@@ -112,15 +112,17 @@ public readonly record struct MotionHeader
         : BinaryPrimitives.ReadUInt16LittleEndian(source[6..]);
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    internal static uint ReadAvatarIndex(ReadOnlySpan<byte> source) =>
-        BinaryPrimitives.ReadUInt32LittleEndian(source[(DataVersion.IsOld(source[2..]) ? 18 : 10)..]);
+    internal static uint ReadAvatarIndex(ReadOnlySpan<byte> source) => DataVersion.IsOld(source[2..])
+        ? BinaryPrimitives.ReadUInt32LittleEndian(source[18..])
+        : BinaryPrimitives.ReadUInt32LittleEndian(source[10..]);
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     internal static AvatarName ReadAvatarName(ReadOnlySpan<byte> source) => AvatarName.Read(AvatarNameIn(source));
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
-    internal static ReadOnlySpan<byte> AvatarNameIn(ReadOnlySpan<byte> source) =>
-        source.Slice(DataVersion.IsOld(source[2..]) ? 22 : 14, ProtocolConstants.AvatarNameSize);
+    internal static ReadOnlySpan<byte> AvatarNameIn(ReadOnlySpan<byte> source) => DataVersion.IsOld(source[2..])
+        ? source.Slice(22, ProtocolConstants.AvatarNameSize)
+        : source.Slice(14, ProtocolConstants.AvatarNameSize);
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     internal static uint? ReadFrameIndex(ReadOnlySpan<byte> source) =>

@@ -66,25 +66,37 @@ internal sealed class PacketAssembler(PacketScanner scanner, IPacketReceiver rec
     {
         while (count > 0)
         {
-            StreamScan scan = _scanner.Scan(bytes.AsSpan(offset, count));
-            if (scan.Part == StreamPart.NeedMoreData)
-            {
-                _needed = scan.Length;
+            int length = _scanner.TakeMotion(bytes.AsSpan(offset, count));
+            if (length > 0)
+                receiver.OnPacket(new ReceivedPacket(PacketKind.Motion, bytes, offset, length, timestamp, Origin));
+            else if ((length = DeliverOther(bytes, offset, count, timestamp)) == 0)
                 break;
-            }
 
-            if (scan.Part == StreamPart.Packet)
-                receiver.OnPacket(new ReceivedPacket(scan.Kind, bytes, offset, scan.Length, timestamp, Origin));
-            else if (scan.Part == StreamPart.Skipped)
-                receiver.OnSkipped(bytes.AsSpan(offset, scan.Length), scan.Reason);
-            else
-                DeliverText(scan, bytes.AsSpan(offset, scan.Length), timestamp);
-
-            offset += scan.Length;
-            count -= scan.Length;
+            offset += length;
+            count -= length;
         }
 
         return new ArraySegment<byte>(bytes, offset, count);
+    }
+
+    // Returns the length of the part at the start, or 0 if it is incomplete.
+    private int DeliverOther(byte[] bytes, int offset, int count, long timestamp)
+    {
+        StreamScan scan = _scanner.Scan(bytes.AsSpan(offset, count));
+        if (scan.Part == StreamPart.NeedMoreData)
+        {
+            _needed = scan.Length;
+            return 0;
+        }
+
+        if (scan.Part == StreamPart.Packet)
+            receiver.OnPacket(new ReceivedPacket(scan.Kind, bytes, offset, scan.Length, timestamp, Origin));
+        else if (scan.Part == StreamPart.Skipped)
+            receiver.OnSkipped(bytes.AsSpan(offset, scan.Length), scan.Reason);
+        else
+            DeliverText(scan, bytes.AsSpan(offset, scan.Length), timestamp);
+
+        return scan.Length;
     }
 
     private void DeliverText(in StreamScan scan, ReadOnlySpan<byte> bytes, long timestamp)

@@ -41,18 +41,39 @@ public sealed class PacketScanner
         if (source.Length < ProtocolConstants.HeaderSize)
             return ScanStart(source);
 
-        PacketKind kind = PacketTokens.KindOf(source);
+        // The compiler knows the length of a header, so reading a field checks no bound.
+        ReadOnlySpan<byte> header = source[..ProtocolConstants.HeaderSize];
+        PacketKind kind = PacketTokens.KindOf(header);
         if (kind == PacketKind.None)
             return Skip(source, SkipReason.NoTokens);
-        if (kind == PacketKind.Motion && !DataVersion.IsKnown(source[2..]))
+        if (kind == PacketKind.Motion && !DataVersion.IsKnown(header[2..]))
             return Skip(source, SkipReason.UnknownVersion);
 
-        long payload = PayloadSize(source, kind);
+        long payload = PayloadSize(header, kind);
         if (payload > PayloadLimit(kind))
             return Skip(source, SkipReason.TooLarge);
 
         int length = ProtocolConstants.HeaderSize + (int)payload;
         return source.Length < length ? NeedMoreData(length) : new ScanResult(ScanStatus.Packet, length, kind);
+    }
+
+    // Returns the length of the complete motion packet at the start, or 0. It is the usual packet, so it needs fewer steps than in Scan.
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    internal int GetMotionLength(ReadOnlySpan<byte> source)
+    {
+        if (source.Length < ProtocolConstants.HeaderSize)
+            return 0;
+
+        ReadOnlySpan<byte> header = source[..ProtocolConstants.HeaderSize];
+        if (!PacketTokens.IsMotion(header) || !DataVersion.IsKnown(header[2..]))
+            return 0;
+
+        uint values = MotionHeader.ReadValueCount(header);
+        if (values > (uint)_maxValues)
+            return 0;
+
+        int length = ProtocolConstants.HeaderSize + (sizeof(float) * (int)values);
+        return length <= source.Length ? length : 0;
     }
 
     // Whether the bytes begin with a complete header that this scanner accepts.

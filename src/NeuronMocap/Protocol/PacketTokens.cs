@@ -1,3 +1,4 @@
+using System.Buffers.Binary;
 using System.Runtime.CompilerServices;
 
 namespace NeuronMocap.Protocol;
@@ -26,6 +27,12 @@ internal static class PacketTokens
         PacketKind kind = KindOf(header[0], header[1]);
         return kind != PacketKind.None && HasToken2(header, kind) ? kind : PacketKind.None;
     }
+
+    // The caller has checked that there are 64 bytes.
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static bool IsMotion(ReadOnlySpan<byte> header) =>
+        BinaryPrimitives.ReadUInt16BigEndian(header) == ((ProtocolConstants.TokenStart << 8) | ProtocolConstants.MotionToken1)
+        && BinaryPrimitives.ReadUInt16BigEndian(header[ProtocolConstants.Token2Offset..]) == ((ProtocolConstants.TokenStart << 8) | ProtocolConstants.MotionToken2);
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static bool IsStart(byte value) => value is ProtocolConstants.TokenStart or ProtocolConstants.StudioTokenStart;

@@ -38,12 +38,19 @@ internal readonly struct ReceivedPacket(PacketKind kind, byte[] array, int offse
         get => Array.AsSpan(Offset, Length);
     }
 
+    // The compiler knows its length, so reading a field checks no bound.
+    public ReadOnlySpan<byte> Header
+    {
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        get => Array.AsSpan(Offset, ProtocolConstants.HeaderSize);
+    }
+
     // For frames only. Both kinds of calculation packets have the index in the same place.
     public uint AvatarIndex =>
-        Kind == PacketKind.Motion ? MotionHeader.ReadAvatarIndex(Bytes) : CalculationHeader.ReadAvatarIndex(Bytes);
+        Kind == PacketKind.Motion ? MotionHeader.ReadAvatarIndex(Header) : CalculationHeader.ReadAvatarIndex(Header);
 
     // Whether the packet arrived as a line of text. TextLine then made the bytes, and they lack the second token that binary packets have.
-    public bool IsText => TextLine.IsImage(Bytes);
+    public bool IsText => TextLine.IsImage(Header);
 
     // Whether the packet has values. Commands have none, and a server can send other packets without values.
     public bool IsFrame => Kind != PacketKind.Command && Length > ProtocolConstants.HeaderSize;

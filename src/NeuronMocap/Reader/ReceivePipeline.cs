@@ -30,6 +30,7 @@ internal sealed class ReceivePipeline : IPacketReceiver, ILinkListener, IReaderS
     private readonly StreamCounters _counters;
     private readonly PacketDispatcher _dispatcher;
     private readonly DeliveryList _deliveries = new();
+    private readonly HandlerThread _handlerThread = new();
     private readonly object _lock = new();
     private volatile bool _stopped;
 
@@ -55,9 +56,9 @@ internal sealed class ReceivePipeline : IPacketReceiver, ILinkListener, IReaderS
         _senders = senders;
         _metrics = metrics;
         _mayWait = mayWait;
-        _counters = new StreamCounters(metrics.Intervals);
+        _counters = new StreamCounters(metrics.Intervals is { } intervals ? new ReportedIntervals(intervals, _handlerThread) : null);
         _dispatcher = new PacketDispatcher(_counters);
-        Callbacks = new FrameCallbacks(format, callbackFailed);
+        Callbacks = new FrameCallbacks(format, callbackFailed, _handlerThread);
         Commands = new DataCommands(trySend, callbackFailed);
         _dispatcher.Add(Callbacks);
         metrics.Observe(this);
@@ -77,8 +78,11 @@ internal sealed class ReceivePipeline : IPacketReceiver, ILinkListener, IReaderS
 
     public DataCommands Commands { get; }
 
-    // The thread that is delivering a packet, or 0. Other threads may see an old value.
-    public int DeliveringThread { get; private set; }
+    // The thread that runs code of the application for a packet, or 0. Other threads may see an old value.
+    public int HandlerThread => _handlerThread.Number;
+
+    // Whether consumers are getting a packet of the first connection now. Any thread.
+    public bool IsDelivering => _activity.IsDelivering;
 
     public void OnPacket(in ReceivedPacket packet)
     {
@@ -87,9 +91,6 @@ internal sealed class ReceivePipeline : IPacketReceiver, ILinkListener, IReaderS
             _counters.CountUndelivered();
             return;
         }
-
-        if (_receiveLock is null)
-            DeliveringThread = Environment.CurrentManagedThreadId;
 
         bool isNews = packet.IsFrame && _recognizer.OnFrame(packet);
         _activity.BeginDelivery(packet);
@@ -106,8 +107,6 @@ internal sealed class ReceivePipeline : IPacketReceiver, ILinkListener, IReaderS
         finally
         {
             _activity.EndDelivery();
-            if (_receiveLock is null)
-                DeliveringThread = 0;
         }
     }
 
@@ -122,15 +121,7 @@ internal sealed class ReceivePipeline : IPacketReceiver, ILinkListener, IReaderS
                 return;
             }
 
-            DeliveringThread = Environment.CurrentManagedThreadId;
-            try
-            {
-                Dispatch(packet);
-            }
-            finally
-            {
-                DeliveringThread = 0;
-            }
+            Dispatch(packet);
         }
     }
 
@@ -257,7 +248,7 @@ internal sealed class ReceivePipeline : IPacketReceiver, ILinkListener, IReaderS
             source = new QueueSource(queue);
         }
 
-        delivery = new FrameDelivery(options, source, clock, ended =>
+        delivery = new FrameDelivery(options, source, clock, _handlerThread, ended =>
         {
             _dispatcher.Remove(ended);
             _deliveries.Remove(ended);
@@ -294,8 +285,12 @@ internal sealed class ReceivePipeline : IPacketReceiver, ILinkListener, IReaderS
     private void Dispatch(in ReceivedPacket packet)
     {
         _dispatcher.Dispatch(packet);
-        if (packet.Kind == PacketKind.Command)
-            Commands.OnPacket(packet);
+        if (packet.Kind != PacketKind.Command)
+            return;
+
+        _handlerThread.Enter();
+        Commands.OnPacket(packet);
+        _handlerThread.Leave();
     }
 
     // While a connection is opened, only a second connection can count at the same time.

@@ -34,7 +34,7 @@ internal sealed class StreamRecognizer(FrameFormat format)
         if (packet.Sender == _sender)
             _seen = packet.Timestamp;
 
-        ReadOnlySpan<byte> header = packet.Bytes;
+        ReadOnlySpan<byte> header = packet.Header;
         ulong key = ((ulong)BinaryPrimitives.ReadUInt32LittleEndian(header[2..]) << 32) | BinaryPrimitives.ReadUInt32LittleEndian(header[50..]);
         return (_keys[(int)packet.Kind] != key || _recognized == 0) && Recognize(packet, key);
     }

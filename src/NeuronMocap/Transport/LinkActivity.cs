@@ -45,6 +45,9 @@ internal sealed class LinkActivity(
 
     public bool HasPackets => _hasPackets;
 
+    // Any thread.
+    public bool IsDelivering => _delivering;
+
     // Whether the stream is silent, and checks find nothing until bytes arrive.
     public bool IsIdle => status.Current is { State: ConnectionState.Silent, Reason: ConnectionReason.NoData } && _skippedLength == 0;
 

@@ -35,7 +35,7 @@ public sealed class LateReadTests
     [Theory, MemberData(nameof(Kinds))]
     public void A_frame_is_valid_for_all_handlers_of_a_callback(PacketKind kind)
     {
-        var callbacks = new FrameCallbacks(SkeletonFormat.Default, _ => { });
+        var callbacks = new FrameCallbacks(SkeletonFormat.Default, _ => { }, new HandlerThread());
         List<AvatarFrame> kept = [];
         List<uint?> seen = [];
         Add(callbacks, kept.Add);

@@ -38,12 +38,15 @@ public sealed class FrameDelivery : IPacketConsumer, IContextWork, IDisposable
     private readonly IDeliverySource _source;
     private readonly Action<FrameDelivery> _closed;
     private readonly ContextRunner _runner;
+    private readonly HandlerThread _thread;
     private volatile bool _isComplete;
     private volatile bool _hasLast;
     private volatile FrameDeliveryEnd? _end;
 
-    internal FrameDelivery(FrameDeliveryOptions options, IDeliverySource source, DeliveryClock clock, Action<FrameDelivery> closed)
+    // thread: the receive thread, which calls Post.
+    internal FrameDelivery(FrameDeliveryOptions options, IDeliverySource source, DeliveryClock clock, HandlerThread thread, Action<FrameDelivery> closed)
     {
+        _thread = thread;
         _source = source;
         _clock = clock;
         _closed = closed;
@@ -171,8 +174,12 @@ public sealed class FrameDelivery : IPacketConsumer, IContextWork, IDisposable
         if (_end is not null)
             return;
 
-        if (_source.Add(packet))
-            _runner.Request();
+        if (!_source.Add(packet))
+            return;
+
+        _thread.Enter();
+        _runner.Request();
+        _thread.Leave();
     }
 
     void IContextWork.Work(long limit)
