@@ -80,6 +80,7 @@ internal sealed class StreamScanner(PacketScanner packets)
     }
 
     // Takes the usual part, a complete motion packet, as Scan would, but in fewer steps. Returns its length, or 0 if the bytes begin with something else.
+    // It need not look at _clear, because no packet begins in such bytes.
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public int TakeMotion(ReadOnlySpan<byte> source)
     {
