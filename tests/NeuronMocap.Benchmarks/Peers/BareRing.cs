@@ -9,10 +9,11 @@ namespace NeuronMocap.Benchmarks.Peers;
 internal sealed class BareRing : IDisposable
 {
     private const int Room = 1536;
-    private const int Part = (4 << 20) / Room / 8;
+    private const int Size = 8 << 20;
+    private const int Part = Size / Room / 8;
     private static readonly long LongestWait = Stopwatch.Frequency / 1000;
 
-    private readonly byte[] _bytes = new byte[4 << 20];
+    private readonly byte[] _bytes = new byte[Size];
     private readonly Thread _reader;
     private Counts _counts;
     private volatile bool _stopping;
