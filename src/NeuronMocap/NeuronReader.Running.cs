@@ -131,7 +131,7 @@ public sealed partial class NeuronReader
         get
         {
             int thread = Environment.CurrentManagedThreadId;
-            return thread == _reportingThread || thread == _pipeline.HandlerThread || _reporter.IsReporting;
+            return thread == _reportingThread || thread == _pipeline.HandlerThreadNumber || _reporter.IsReporting;
         }
     }
 

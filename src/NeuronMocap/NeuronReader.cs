@@ -234,8 +234,8 @@ public sealed partial class NeuronReader : IDisposable, IAsyncDisposable
     // Whether consumers are getting a packet now. The statistics count a packet before its first consumer gets it.
     internal bool IsDelivering => _pipeline.IsDelivering;
 
-    // In a handler of frames or replies: the managed number of its thread.
-    internal int HandlerThread => _pipeline.HandlerThread;
+    // In a handler of frames or replies, and in other code of the application on the receive thread: the managed number of the thread.
+    internal int HandlerThreadNumber => _pipeline.HandlerThreadNumber;
 
     // Frames use discovered values from the moment of discovery. The next status reports them.
     internal FrameFormat Format => _format;

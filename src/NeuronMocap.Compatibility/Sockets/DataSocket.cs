@@ -38,17 +38,17 @@ internal abstract class DataSocket : VendorSocket
         _reader.MotionReceived += frame =>
         {
             if (IsReceiving())
-                _delivery.Deliver(Handle, _reader.HandlerThread, frame);
+                _delivery.Deliver(Handle, _reader.HandlerThreadNumber, frame);
         };
         _reader.CalculationReceived += frame =>
         {
             if (IsReceiving())
-                _delivery.Deliver(Handle, _reader.HandlerThread, frame);
+                _delivery.Deliver(Handle, _reader.HandlerThreadNumber, frame);
         };
         _reader.DataCommands.Received += reply =>
         {
             if (IsReceiving())
-                _delivery.Deliver(Handle, _reader.HandlerThread, reply);
+                _delivery.Deliver(Handle, _reader.HandlerThreadNumber, reply);
         };
     }
 

@@ -165,6 +165,7 @@ public sealed partial class FrameQueue : IPacketConsumer, ICountedConsumer, IDis
         }
         finally
         {
+            // The handler threw. If there was no memory for a frame, its packet stays in the queue.
             if (lent is not null)
             {
                 lent.Expire();

@@ -50,7 +50,6 @@ internal sealed class StreamCounters(IDurationRecorder? intervals = null)
     }
 
     // Counts a found packet before it is delivered.
-    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public void Count(in ReceivedPacket packet)
     {
         if (packet.IsFrame)

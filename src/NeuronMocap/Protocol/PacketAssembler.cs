@@ -59,8 +59,8 @@ internal sealed class PacketAssembler(PacketScanner scanner, IPacketReceiver rec
     public void JoinLate() => _scanner.Restart();
 
     // Returns the bytes in which no packet was found yet. Small methods on the path of every packet are inlined by attribute, because code that is
-    // compiled ahead of time has no profile. This method stays on its own. As a part of a larger one, it exceeds what the compiler inlines into one method.
-    // The scan of every packet then consists of calls.
+    // compiled ahead of time has no profile. This method stays on its own. As a part of a larger one, it exceeds what the compiler inlines into one method,
+    // and the small methods are called.
     [MethodImpl(MethodImplOptions.NoInlining)]
     private ArraySegment<byte> Deliver(byte[] bytes, int offset, int count, long timestamp)
     {

@@ -32,6 +32,7 @@ internal sealed class ReceivePipeline : IPacketReceiver, ILinkListener, IReaderS
     private readonly DeliveryList _deliveries = new();
     private readonly HandlerThread _handlerThread = new();
     private readonly object _lock = new();
+    private volatile bool _deliversInTurn;
     private volatile bool _stopped;
 
     public ReceivePipeline(
@@ -79,10 +80,10 @@ internal sealed class ReceivePipeline : IPacketReceiver, ILinkListener, IReaderS
     public DataCommands Commands { get; }
 
     // The thread that runs code of the application for a packet, or 0. Other threads may see an old value.
-    public int HandlerThread => _handlerThread.Number;
+    public int HandlerThreadNumber => _handlerThread.Number;
 
-    // Whether consumers are getting a packet of the first connection now. Any thread.
-    public bool IsDelivering => _activity.IsDelivering;
+    // Whether consumers are getting a packet now. Any thread.
+    public bool IsDelivering => _activity.IsDelivering || _deliversInTurn;
 
     public void OnPacket(in ReceivedPacket packet)
     {
@@ -121,7 +122,15 @@ internal sealed class ReceivePipeline : IPacketReceiver, ILinkListener, IReaderS
                 return;
             }
 
-            Dispatch(packet);
+            _deliversInTurn = true;
+            try
+            {
+                Dispatch(packet);
+            }
+            finally
+            {
+                _deliversInTurn = false;
+            }
         }
     }
 

@@ -22,22 +22,6 @@ public sealed partial class HandlerThreadTests : IDisposable
         await AssertStopsAtOnceAsync(reader);
     }
 
-    // Without a reader, whose changes of the status are posted from other threads.
-    [Fact]
-    public void A_function_that_posts_to_a_window()
-    {
-        ReceivePipeline pipeline = DeliveryBench.CreatePipeline();
-        int posting = 0;
-        Func<Action, bool> post = _ =>
-        {
-            posting = pipeline.HandlerThread;
-            return true;
-        };
-        pipeline.OpenDelivery(new FrameDeliveryOptions { Post = post }, new FakeDeliveryClock(), static _ => { });
-        pipeline.OnPacket(new ReceivedPacket(PacketKind.Motion, TestPackets.Motion(1), timestamp: 1, origin: 0));
-        Assert.Equal((Environment.CurrentManagedThreadId, 0), (posting, pipeline.HandlerThread));
-    }
-
     [Fact]
     public async Task A_handler_of_replies()
     {
@@ -88,6 +72,33 @@ public sealed partial class HandlerThreadTests : IDisposable
         await stopping.Soon();
     }
 
+    // Without a reader, which would also post changes of its status, from other threads.
+    [Theory]
+    [InlineData(Code.FrameHandler)]
+    [InlineData(Code.ReplyHandler)]
+    [InlineData(Code.Post)]
+    public void The_mark_ends_with_the_code(Code code)
+    {
+        ReceivePipeline pipeline = DeliveryBench.CreatePipeline();
+        int during = 0;
+        Action look = () => during = pipeline.HandlerThreadNumber;
+        Func<Action, bool> post = _ =>
+        {
+            look();
+            return true;
+        };
+        if (code == Code.FrameHandler)
+            pipeline.Callbacks.Motion.Add(_ => look());
+        else if (code == Code.ReplyHandler)
+            pipeline.Commands.Received += _ => look();
+        else
+            pipeline.OpenDelivery(new FrameDeliveryOptions { Post = post }, new FakeDeliveryClock(), static _ => { });
+
+        pipeline.OnPacket(new ReceivedPacket(PacketKind.Command, DataReplies.AvatarCount(1), timestamp: 1, origin: 0));
+        pipeline.OnPacket(new ReceivedPacket(PacketKind.Motion, TestPackets.Motion(1), timestamp: 1, origin: 0));
+        Assert.Equal((Environment.CurrentManagedThreadId, 0), (during, pipeline.HandlerThreadNumber));
+    }
+
     private NeuronReader Create()
     {
         NeuronReaderOptions options = _server.Options();
@@ -103,5 +114,12 @@ public sealed partial class HandlerThreadTests : IDisposable
         using TestConnection connection = await _server.AcceptAsync();
         await connection.SendAsync(TestPackets.Join(DataReplies.AvatarCount(1), TestPackets.Motions(1, 3)));
         Assert.True(await _stopped.Task.Soon());
+    }
+
+    public enum Code
+    {
+        FrameHandler,
+        ReplyHandler,
+        Post,
     }
 }

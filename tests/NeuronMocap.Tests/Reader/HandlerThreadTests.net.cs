@@ -1,4 +1,8 @@
 using System.Diagnostics.Metrics;
+using NeuronMocap.Protocol;
+using NeuronMocap.Reader;
+using NeuronMocap.Tests.Delivery;
+using NeuronMocap.Tests.Network;
 
 namespace NeuronMocap.Tests.Reader;
 
@@ -8,15 +12,7 @@ public sealed partial class HandlerThreadTests
     public async Task A_listener_of_the_intervals_between_frames()
     {
         await using NeuronReader reader = Create();
-        using var listener = new MeterListener();
-        listener.InstrumentPublished = (instrument, self) =>
-        {
-            if (instrument.Name == "neuron.reader.frame.interval")
-                self.EnableMeasurementEvents(instrument);
-        };
-
-        // The listener hears other readers of the process, too.
-        listener.SetMeasurementEventCallback<double>((_, _, tags, _) =>
+        using MeterListener listener = Listen((_, _, tags, _) =>
         {
             foreach (KeyValuePair<string, object?> tag in tags)
             {
@@ -24,7 +20,38 @@ public sealed partial class HandlerThreadTests
                     Stop(reader);
             }
         });
-        listener.Start();
         await AssertStopsAtOnceAsync(reader);
+    }
+
+    [Fact]
+    public void The_mark_ends_with_the_listener()
+    {
+        ReceivePipeline pipeline = DeliveryBench.CreatePipeline();
+        bool wasMarked = false;
+        using MeterListener listener = Listen((_, _, _, _) =>
+        {
+            if (pipeline.HandlerThreadNumber == Environment.CurrentManagedThreadId)
+                wasMarked = true;
+        });
+        for (int i = 0; i < 2; i++)
+            pipeline.OnPacket(new ReceivedPacket(PacketKind.Motion, TestPackets.Motion(i), timestamp: i, origin: 0));
+
+        Assert.Equal((true, 0), (wasMarked, pipeline.HandlerThreadNumber));
+    }
+
+    // The listener hears all readers of the process.
+    private static MeterListener Listen(MeasurementCallback<double> heard)
+    {
+        var listener = new MeterListener
+        {
+            InstrumentPublished = static (instrument, self) =>
+            {
+                if (instrument.Name == "neuron.reader.frame.interval")
+                    self.EnableMeasurementEvents(instrument);
+            },
+        };
+        listener.SetMeasurementEventCallback(heard);
+        listener.Start();
+        return listener;
     }
 }

@@ -43,7 +43,7 @@ public sealed class FrameDelivery : IPacketConsumer, IContextWork, IDisposable
     private volatile bool _hasLast;
     private volatile FrameDeliveryEnd? _end;
 
-    // thread: the receive thread, which calls Post.
+    // thread: marked while the receive thread calls Post.
     internal FrameDelivery(FrameDeliveryOptions options, IDeliverySource source, DeliveryClock clock, HandlerThread thread, Action<FrameDelivery> closed)
     {
         _thread = thread;
