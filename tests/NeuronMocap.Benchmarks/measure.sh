@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Measures the tables of docs/internals/performance.md, and the curves beside it.
-#   measure.sh [FOLDER]            all of them, in about an hour. Prints them, and writes every figure as JSON to the folder, by default "results". During
+#   measure.sh [FOLDER]            all of them, in an hour and a half. Prints them, and writes every figure as JSON to the folder, by default "results". During
 #                                  this time, the machine should do nothing else.
 #   measure.sh --only NAMES …      only these, such as --only "throughput udp".
 #   measure.sh --update …          then writes the tables into the page. A table that was not measured stays as it is.
@@ -56,6 +56,13 @@ short() {
     esac
 }
 
+# full COMMAND: the options of a full run. The rate of the system's own copy varies by a factor of two, so its median needs more runs.
+full() {
+    case $1 in
+        throughput) echo "--runs 15" ;;
+    esac
+}
+
 # measure BUILD COMMAND OPTIONS...: one table.
 measure() {
     wanted "$2" || return 0
@@ -63,7 +70,7 @@ measure() {
     local run=(dotnet "$scratch/$1/NeuronMocap.Benchmarks.dll")
     [ "$1" != mono ] || run=(mono "$scratch/mono/NeuronMocap.Benchmarks.exe")
     # shellcheck disable=SC2046
-    "${run[@]}" "$2" $([ -z "$smoke" ] || short "$2") --json "$out/$1-$2.json" "${@:3}"
+    "${run[@]}" "$2" $(if [ -z "$smoke" ]; then full "$2"; else short "$2"; fi) --json "$out/$1-$2.json" "${@:3}"
 }
 
 for framework in net8.0 netstandard2.1; do
