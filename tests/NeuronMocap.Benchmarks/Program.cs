@@ -122,6 +122,9 @@ receive.SetAction((result, _) => ManagedReceiver.RunAsync(
     result.GetValue(receiver)!, result.GetValue(receiverMode)!, result.GetValue(receiverPort), result.GetValue(receiverFrames)));
 
 var idler = new Option<bool>("--idler");
+var awake = new Command("awake", "Keeps the processors awake during broadcast.") { Hidden = true };
+awake.SetAction(_ => AwakeProcessors.Run());
+
 var sinks = new Command("sinks", "The clients of broadcast, in their own process.") { Hidden = true };
 sinks.Add(port);
 sinks.Add(Connections);
@@ -130,7 +133,7 @@ sinks.SetAction(result => Sinks.Run(result.GetValue(port), result.GetValue(Conne
 
 RootCommand root = Root(
     Throughput(), latency, streams, avatars, consumers, broadcast, relay, decode, bvh, kinematics, messages, retarget, recording, playback, Window(), native, micro,
-    udp, start, idle, growth, peers, check, update, Flood(), Pace(), floodUdp, receive, sinks, silent);
+    udp, start, idle, growth, peers, check, update, Flood(), Pace(), floodUdp, receive, sinks, silent, awake);
 #if PIPES
 var connections = new Option<int>("--connections") { Description = "Connections of the paced case.", DefaultValueFactory = _ => 100 };
 var pipe = new Command("pipe", "Streams and pipes as sources, against the connection itself.") { Frames, Runs, Writes, connections, Seconds, Json };

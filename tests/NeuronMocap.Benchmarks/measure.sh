@@ -60,6 +60,7 @@ short() {
 full() {
     case $1 in
         throughput) echo "--runs 15" ;;
+        broadcast) echo "--runs 21 --seconds 3" ;;
     esac
 }
 

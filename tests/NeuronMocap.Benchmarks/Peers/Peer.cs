@@ -36,6 +36,7 @@ internal sealed class Peer : IDisposable
 
     public void Dispose()
     {
+        CloseInput();
         _process.WaitForExit();
         _process.Dispose();
     }

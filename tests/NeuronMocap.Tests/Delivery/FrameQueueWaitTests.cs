@@ -174,26 +174,17 @@ public sealed class FrameQueueWaitTests
         queue.PrepareWaiting(() => now);
         var age = Stopwatch.StartNew();
         await Limits.UntilAsync(() => age.ElapsedMilliseconds > 1); // Then a wait does not look again by itself.
-        int signals = 0;
-        Action set = queue.Changed!;
-        queue.Changed = () =>
-        {
-            signals++;
-            set();
-        };
+        var signals = new SignalCount(queue);
 
         for (int i = 0; i < Frames; i++)
         {
             if (i == EndsWith)
                 now += Stopwatch.Frequency;
 
-            Task<bool> wait = queue.WaitAsync(Cancelled).AsTask();
-            ((IPacketConsumer)queue).OnPacket(new ReceivedPacket(PacketKind.Motion, TestPackets.Motion(i), 0, 0));
-            Assert.True(await wait.Soon());
-            queue.Pump<MotionFrame>(static _ => { });
+            await PassAsync(queue, i);
         }
 
-        Assert.Equal(Frames - (EndsWith - BeginsWith), signals);
+        Assert.Equal(Frames - (EndsWith - BeginsWith), signals.Value);
     }
 
     // The first count begins when the computer started. Days in ticks, times the rate of a flood, do not fit into 64 bits.
@@ -204,24 +195,41 @@ public sealed class FrameQueueWaitTests
         using var queue = new FrameQueue(64, SkeletonFormat.Default, static _ => { });
         long now = 10 * 24 * 3600 * Stopwatch.Frequency;
         queue.PrepareWaiting(() => now += Stopwatch.Frequency);
-        int signals = 0;
-        Action set = queue.Changed!;
-        queue.Changed = () =>
-        {
-            signals++;
-            set();
-        };
+        var signals = new SignalCount(queue);
 
         for (int i = 0; i < Frames; i++)
-        {
-            Task<bool> wait = queue.WaitAsync(Cancelled).AsTask();
-            ((IPacketConsumer)queue).OnPacket(new ReceivedPacket(PacketKind.Motion, TestPackets.Motion(i), 0, 0));
-            Assert.True(await wait.Soon());
-            queue.Pump<MotionFrame>(static _ => { });
-        }
+            await PassAsync(queue, i);
 
-        Assert.Equal(Frames, signals);
+        Assert.Equal(Frames, signals.Value);
     }
 
-    private void Publish(int index) => ((IPacketConsumer)_queue).OnPacket(new ReceivedPacket(PacketKind.Motion, TestPackets.Motion(index), 0, 0));
+    // A wait begins, a frame ends it, and the frame is taken.
+    private static async Task PassAsync(FrameQueue queue, int index)
+    {
+        Task<bool> wait = queue.WaitAsync(Cancelled).AsTask();
+        Publish(queue, index);
+        Assert.True(await wait.Soon());
+        queue.Pump<MotionFrame>(static _ => { });
+    }
+
+    private void Publish(int index) => Publish(_queue, index);
+
+    private static void Publish(FrameQueue queue, int index) =>
+        ((IPacketConsumer)queue).OnPacket(new ReceivedPacket(PacketKind.Motion, TestPackets.Motion(index), 0, 0));
+
+    // Counts the signals to the waiting consumer, which still gets them.
+    private sealed class SignalCount
+    {
+        public SignalCount(FrameQueue queue)
+        {
+            Action set = queue.Changed!;
+            queue.Changed = () =>
+            {
+                Value++;
+                set();
+            };
+        }
+
+        public int Value { get; private set; }
+    }
 }
