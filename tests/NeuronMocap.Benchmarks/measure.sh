@@ -56,11 +56,13 @@ short() {
     esac
 }
 
-# full COMMAND: the options of a full run. The rate of the system's own copy varies by a factor of two, so its median needs more runs.
+# full COMMAND: the options of a full run. The rate of the system's own copy varies by a factor of two, so the medians of "throughput" and "broadcast" need
+# more runs. The BinaryReader of "peers" needs minutes for more cases.
 full() {
     case $1 in
         throughput) echo "--runs 15" ;;
-        broadcast) echo "--runs 21 --seconds 3" ;;
+        broadcast) echo "--runs 15 --seconds 3" ;;
+        peers) echo "--runs 5 --writes 1 32 --rates 60 120" ;;
     esac
 }
 

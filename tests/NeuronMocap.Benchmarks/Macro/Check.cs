@@ -15,11 +15,12 @@ internal static class Check
 
     private const double Tolerance = 3;
     private const int Tries = 3;
-    private const int Rounds = 200_000;
-    private const int Frames = 100_000;
+    // Runs of a tenth of a second and more: the first one, which does not count, is then long enough to compile the whole path.
+    private const int Rounds = 2_000_000;
+    private const int Frames = 500_000;
     private const int PerWrite = 32;
     private const int Clients = 4;
-    private const int FramesOfClient = 60_000;
+    private const int FramesOfClient = 300_000;
 
     // Without a page, only measures.
     public static async Task<int> RunAsync(int runs, FileInfo? page, Report report)

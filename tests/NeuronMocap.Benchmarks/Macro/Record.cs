@@ -59,9 +59,9 @@ internal static class Record
         for (int i = 0; i < Batches; i++)
         {
             long before = GC.GetAllocatedBytesForCurrentThread();
-            double start = ThreadClock.Nanoseconds;
+            double start = CpuClock.OfThread;
             Push();
-            elapsed += ThreadClock.Nanoseconds - start;
+            elapsed += CpuClock.OfThread - start;
             allocated += GC.GetAllocatedBytesForCurrentThread() - before;
             long pushed = Batch * (i + 2);
             while (ring?.FramesRead < pushed || !Array.TrueForAll(recorders, recorder => recorder.GetStatistics() is var done && done.Pieces + done.LostPieces >= pushed))
@@ -113,9 +113,9 @@ internal static class Record
         reader.MotionReceived += _ =>
         {
             if (++handled == 1)
-                start = ThreadClock.Nanoseconds;
+                start = CpuClock.OfThread;
             if (handled == FramesOverTcp)
-                end = ThreadClock.Nanoseconds;
+                end = CpuClock.OfThread;
         };
         reader.Start();
         await reader.Completion;

@@ -6,19 +6,20 @@ using NeuronMocap.Benchmarks.Harness;
 namespace NeuronMocap.Benchmarks.Page;
 
 // The tables of performance.md. They are between a comment "measured: RESULTS + RESULTS | FIGURE | …" and the comment "end". RESULTS is a file of measure.sh
-// without its ending, which has a table of its own, and each figure has a column.
+// without its ending, which has a table of its own, and each figure has a column. A table without new results stays.
 internal static partial class PageTables
 {
     public const string GrowthPicture = "growth.svg";
 
     private const string Times = " ×";
 
-    // Replaces the tables whose results are in the folder. The others stay.
+    // Replaces the tables for which there are results.
     public static string Update(string page, Func<string, Results?> read) => Block().Replace(page, match =>
     {
         string[] parts = Split(match.Groups["what"].Value, '|');
-        Results[] results = [.. Split(parts[0], '+').Select(read).OfType<Results>()];
-        return results.Length == 0 ? match.Value : $"{match.Groups["begin"].Value}\n{string.Join('\n', results.Select(one => Render(one, parts[1..])))}{match.Groups["end"].Value}";
+        Dictionary<string, string> old = Head().Split(match.Groups["table"].Value).Where(static table => Head().IsMatch(table)).ToDictionary(NameOf, static table => table.TrimEnd('\n') + "\n");
+        string[] tables = [.. Split(parts[0], '+').Select(name => read(name) is { } results ? Render(results, parts[1..]) : old.GetValueOrDefault(name)).OfType<string>()];
+        return tables.Length == 0 ? match.Value : $"{match.Groups["begin"].Value}\n{string.Join('\n', tables)}{match.Groups["end"].Value}";
     });
 
     // The medians of the ratios of a table.
@@ -64,6 +65,13 @@ internal static partial class PageTables
         return text.ToString();
     }
 
+    // The name of the results that a table was made of.
+    private static string NameOf(string table)
+    {
+        string[] head = Split(table, ',');
+        return $"{(head[2].StartsWith("Mono", StringComparison.Ordinal) ? "mono" : head[1])}-{head[0].Trim('`')}";
+    }
+
     // Measurements that are read as they are, although the floor has them, too.
     private static bool IsPlain(string figure) => figure.Contains('%') || figure.Contains("B/", StringComparison.Ordinal) || figure is "cores" or "threads" or "lost" or "wake-ups/s";
 
@@ -77,4 +85,8 @@ internal static partial class PageTables
 
     [GeneratedRegex("(?<begin><!-- measured: (?<what>[^>]*?) -->)\n(?<table>.*?)(?<end><!-- end -->)", RegexOptions.Singleline | RegexOptions.ExplicitCapture, 1000)]
     private static partial Regex Block();
+
+    // The line above a table: command, build, runtime, processors and system.
+    [GeneratedRegex("^(?=`[a-z]+`, )", RegexOptions.Multiline | RegexOptions.ExplicitCapture, 1000)]
+    private static partial Regex Head();
 }

@@ -3,7 +3,7 @@ using System.Runtime.InteropServices;
 namespace NeuronMocap.Benchmarks.Peers;
 
 // Keeps every processor awake until its standard input ends, with threads that Linux runs only when a processor has nothing else to do. The wake of an idle
-// processor costs a multiple of the work for one frame, and varies from second to second.
+// processor costs several times as much as a frame, and varies from second to second.
 internal static class AwakeProcessors
 {
     private const int IdlePolicy = 5;
@@ -12,11 +12,13 @@ internal static class AwakeProcessors
 
     public static void Run()
     {
-        Thread[] threads = [.. Enumerable.Range(0, Environment.ProcessorCount).Select(static _ => new Thread(Spin))];
+        using var begun = new CountdownEvent(Environment.ProcessorCount);
+        Thread[] threads = [.. Enumerable.Range(0, begun.InitialCount).Select(_ => new Thread(() => Spin(begun)))];
         foreach (Thread thread in threads)
             thread.Start();
 
         // A peer prints its port. This one has none.
+        begun.Wait();
         Console.WriteLine(0);
         Console.In.ReadToEnd();
         _isOver = true;
@@ -25,12 +27,13 @@ internal static class AwakeProcessors
     }
 
     // At any other priority, the loop would take time from what is measured.
-    private static void Spin()
+    private static void Spin(CountdownEvent begun)
     {
         int priority = 0;
         if (!OperatingSystem.IsLinux() || SetScheduler(0, IdlePolicy, ref priority) != 0)
-            return;
+            throw new PlatformNotSupportedException("Only Linux has threads that run when a processor has nothing else to do.");
 
+        begun.Signal();
         while (!_isOver)
             Thread.SpinWait(1000);
     }

@@ -10,7 +10,7 @@ internal static class TestFrame
 
     public const int HeaderSize = ProtocolConstants.HeaderSize;
 
-    private const int IndexOffset = 46;
+    public const int IndexOffset = 46;
 
     // values: a number that determines the values. 0 leaves them all zero.
     public static byte[] Create(int avatar = 0, int values = 0)
