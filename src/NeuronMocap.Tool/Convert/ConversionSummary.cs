@@ -43,6 +43,9 @@ internal sealed class ConversionSummary
     public void AddRepairs(BvhDocument document)
     {
         RowsLeftOut += document.SkippedRowCount;
+        if (document.InnerSkippedRowCount is > 0 and var inner)
+            AddWarning($"{Count(inner, "row")} left out before others, so later frames come earlier than in the take");
+
         foreach (BvhRepair repair in document.Repairs)
             AddWarning(repair.ToString());
 

@@ -33,6 +33,7 @@ internal sealed class PlotTool(FileSettings settings, StandardStreams streams)
         if (kind == FileKind.Bvh)
         {
             BvhDocument document = BvhFile.Load(settings.Input, progress, cancellationToken);
+            Report(document);
             if (document.FrameCount == 0)
                 throw new NeuronException("The file holds a skeleton but no frames.");
             if (!range.IsAll)
@@ -56,6 +57,17 @@ internal sealed class PlotTool(FileSettings settings, StandardStreams streams)
             _ => $"stream of {take.AvatarName}",
         };
         return (body, Describe(what, body));
+    }
+
+    // A file without some of its rows is drawn all the same.
+    private void Report(BvhDocument document)
+    {
+        if (document.SkippedRowCount == 0)
+            return;
+
+        var summary = new ConversionSummary { Frames = document.FrameCount, FrameRate = document.FrameRate, Seconds = document.FrameCount / document.FrameRate };
+        summary.AddRepairs(document);
+        streams.Complain(summary.Describe(Path.GetFileName(settings.Input)));
     }
 
     private static string Describe(string what, PointMotion motion) =>

@@ -41,6 +41,23 @@ public sealed class ConvertSummaryTests : IDisposable
     }
 
     [Fact]
+    public async Task A_row_left_out_before_others_shifts_them_which_is_reported()
+    {
+        Takes.Actor(20).Save(_folder["whole.bvh"]);
+        string[] lines = await File.ReadAllLinesAsync(_folder["whole.bvh"], Token);
+        int row = 1 + Array.FindIndex(lines, static line => line.StartsWith("Frame Time", StringComparison.Ordinal));
+        lines[row + 5] = lines[row + 5].Replace('.', ',');
+        lines[row + 6] = lines[row + 6].Replace('.', ',');
+        _folder.Write("bad.bvh", string.Join("\n", lines));
+        foreach (string output in (string[])["a.bvh", "a.nmrec", "a.calc", "a.csv", "a.glb"])
+        {
+            string summary = await ConvertAsync(_folder["bad.bvh"], _folder[output]);
+            Assert.Contains(": 18 frames, ", summary, StringComparison.Ordinal);
+            Assert.Contains("; 2 rows left out; 4 warnings: (1) 2 rows left out before others, so later frames come earlier than in the take, (2) ", summary, StringComparison.Ordinal);
+        }
+    }
+
+    [Fact]
     public async Task A_damaged_recording_is_reported_for_every_output()
     {
         Takes.Actor(3000).Save(_folder["take.bvh"]);

@@ -31,6 +31,20 @@ public sealed class PlotTests : IDisposable
     }
 
     [Fact]
+    public async Task A_damaged_file_is_drawn_and_its_faults_are_reported()
+    {
+        Takes.StraightWalk().Save(_folder["walk.bvh"]);
+        string text = await File.ReadAllTextAsync(_folder["walk.bvh"], TestContext.Current.CancellationToken);
+        _folder.Write("bad.bvh", text.TrimEnd() + "\n1 2 3\n");
+        ToolResult result = await ToolRunner.RunAsync("plot", _folder["bad.bvh"], _folder["bad.svg"]);
+        Assert.Equal(0, result.ExitCode);
+        Assert.True(File.Exists(_folder["bad.svg"]));
+        string line = Assert.Single(result.Error);
+        Assert.StartsWith("neuron-mocap: bad.bvh: ", line, StringComparison.Ordinal);
+        Assert.Contains("; 1 row left out; 1 warning: ", line, StringComparison.Ordinal);
+    }
+
+    [Fact]
     public async Task A_straight_walk_gives_a_straight_path_with_an_even_speed()
     {
         Takes.StraightWalk().Save(_folder["walk.bvh"]);

@@ -97,6 +97,11 @@ public sealed class BvhDocument
     /// </summary>
     public int SkippedRowCount { get; private init; }
 
+    /// <summary>
+    /// Number of skipped rows and lines that later rows follow. If they were rows of motion, the frames after them have earlier times than in the take.
+    /// </summary>
+    public int InnerSkippedRowCount { get; private init; }
+
     /// <summary>Number of frames that the file declares, see <see cref="BvhReader.DeclaredFrameCount"/>; null when it declares none.</summary>
     public long? DeclaredFrameCount { get; private init; }
 
@@ -187,8 +192,12 @@ public sealed class BvhDocument
         parser.Begin(ref text);
         var rows = new BvhRowBuffer(parser.Hierarchy.ChannelCount);
         rows.Reserve(parser.AnnouncedFrames, text.Remaining);
+        int inner = 0;
         while (parser.TryReadRow(ref text, rows.Next))
+        {
             rows.Keep(text.Place);
+            inner = parser.Repairs.LeftOutCount;
+        }
 
         return new BvhDocument(parser.Hierarchy, parser.FrameTime, rows.ToArray())
         {
@@ -197,6 +206,7 @@ public sealed class BvhDocument
             Repairs = parser.Repairs.Listed,
             RepairCount = parser.Repairs.Count,
             SkippedRowCount = parser.Repairs.LeftOutCount,
+            InnerSkippedRowCount = inner,
             DeclaredFrameCount = parser.AnnouncedFrames,
         };
     }

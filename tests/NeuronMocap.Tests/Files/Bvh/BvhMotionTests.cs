@@ -179,6 +179,14 @@ public class BvhMotionTests
         BvhRepair repair = OnlyRepair(document);
         Assert.Equal(20, repair.Line);
         Assert.Contains("is not a number", repair.Description, StringComparison.Ordinal);
+        Assert.Equal((1, 1), (document.SkippedRowCount, document.InnerSkippedRowCount));
+    }
+
+    [Fact]
+    public void A_skipped_line_at_the_end_shifts_no_frame()
+    {
+        BvhDocument document = ParseRows(2, $"{Row}{Row}1 2 3\n");
+        Assert.Equal((1, 0), (document.SkippedRowCount, document.InnerSkippedRowCount));
     }
 
     [Fact]
