@@ -1,4 +1,5 @@
 using System.Text;
+using System.Text.RegularExpressions;
 using NeuronMocap.Calculation;
 using NeuronMocap.Recording;
 
@@ -22,14 +23,12 @@ internal enum FileKind
 }
 
 /// <summary>Determines the kind of a file: for reading by its contents, for writing by its name.</summary>
-internal static class FileKinds
+internal static partial class FileKinds
 {
     private const int LookedAt = 64 * 1024;
 
     /// <summary>The extensions of files that the program reads and writes, in lower case.</summary>
     public static IReadOnlyList<string> Extensions { get; } = [".bvh", ".nmrec", ".calc", ".bin", ".dat", ".glb", ".csv"];
-
-    private static readonly string[] BvhWords = ["HIERARCHY", "MOTION", "CHANNELS"];
 
     /// <summary>Determines the kind of a file by its contents.</summary>
     /// <exception cref="UnreadKindException">The program does not read this kind of file.</exception>
@@ -71,15 +70,8 @@ internal static class FileKinds
         return start[..file.ReadAtLeast(start, start.Length, throwOnEndOfStream: false)];
     }
 
-    // A damaged file may lack its first line. A file in another encoding than UTF-8 still contains these words.
-    private static bool IsBvh(byte[] start)
-    {
-        if (!IsText(start))
-            return false;
-
-        string text = Encoding.Latin1.GetString(start);
-        return BvhWords.Any(word => text.Contains(word, StringComparison.OrdinalIgnoreCase));
-    }
+    // A damaged file may lack its first line. A file in another encoding than UTF-8 still contains these words. Other texts contain them within sentences.
+    private static bool IsBvh(byte[] start) => IsText(start) && BvhLine().IsMatch(Encoding.Latin1.GetString(start));
 
     private static bool IsText(byte[] start) => !start.AsSpan().ContainsAnyInRange((byte)0, (byte)8);
 
@@ -108,4 +100,7 @@ internal static class FileKinds
             throw new UnreadKindException($"{exception.Message} It is not a BVH file or a calculation export either.", exception);
         }
     }
+
+    [GeneratedRegex(@"\bHIERARCHY\s+ROOT\b|\bCHANNELS\s+[0-9]|(^|[\r\n])[ \t]*(HIERARCHY|MOTION)[ \t]*([\r\n]|$)", RegexOptions.IgnoreCase | RegexOptions.CultureInvariant | RegexOptions.ExplicitCapture, matchTimeoutMilliseconds: 60_000)]
+    private static partial Regex BvhLine();
 }

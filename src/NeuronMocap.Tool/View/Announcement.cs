@@ -15,7 +15,7 @@ internal sealed class Announcement(ViewOptions options, StandardStreams streams)
     public void Write(ViewServer server)
     {
         if (!PageFiles.Exist)
-            streams.Complain($"this build does not contain the page. Install Node.js, then run: {PageFiles.BuildCommand}");
+            streams.Complain($"this build does not contain the page. Install Node 20 or later, then run: {PageFiles.BuildCommand}");
         if (options.Port is null && server.LocalEndPoint.Port != ViewOptions.DefaultPort)
             streams.Complain(DescribePort(server.LocalEndPoint.Port));
 

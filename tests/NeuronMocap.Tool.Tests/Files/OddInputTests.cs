@@ -1,5 +1,6 @@
 using System.Diagnostics;
 using System.Net.Sockets;
+using NeuronMocap.Tool.Files;
 using NeuronMocap.Tool.Terminal;
 using NeuronMocap.Tool.Tests.Infrastructure;
 
@@ -46,6 +47,36 @@ public sealed class OddInputTests : IDisposable
         Assert.Matches("regular files|is empty", Assert.Single(result.Error));
         Assert.Contains(input, result.Error[0], StringComparison.Ordinal);
         Assert.DoesNotContain(_folder.Names, static name => name.StartsWith("out", StringComparison.Ordinal));
+    }
+
+    // Sentences contain the words of BVH files, too.
+    [Theory]
+    [InlineData("info")]
+    [InlineData("convert")]
+    [InlineData("plot")]
+    [InlineData("play")]
+    public async Task A_text_about_motion_is_no_file_of_motion(string tool)
+    {
+        _folder.Write("readme.md", "# A hierarchy of joints\n\nMotion from suits\nover three channels.\n");
+        string[] output = tool switch { "convert" => [_folder["out.nmrec"]], "plot" => [_folder["out.svg"]], _ => [] };
+        ToolResult result = await ToolRunner.RunAsync([tool, _folder["readme.md"], .. output]);
+        Assert.Equal(1, result.ExitCode);
+        string line = Assert.Single(result.Error);
+        Assert.Contains("readme.md' is neither a recording nor a dump of a stream", line, StringComparison.Ordinal);
+        Assert.DoesNotContain("HIERARCHY", line, StringComparison.Ordinal);
+        Assert.DoesNotContain("turns it into one", line, StringComparison.Ordinal);
+    }
+
+    [Theory]
+    [InlineData("HIERARCHY\nROOT Hips {")]
+    [InlineData("\r\n  hierarchy  \rROOT Hips")]
+    [InlineData("HIERARCHY ROOT Hips { OFFSET 0 0 0 CHANNELS 3 Xrotation")]
+    [InlineData("ROOT Hips\n{\n\tCHANNELS 6 Xposition")]
+    [InlineData("MOTION\nFrames: 2\n")]
+    public void A_damaged_BVH_file_is_still_one(string text)
+    {
+        _folder.Write("a.bvh", text);
+        Assert.Equal(FileKind.Bvh, FileKinds.Recognize(_folder["a.bvh"]));
     }
 
     [Theory]

@@ -47,7 +47,7 @@ internal static class PageFiles
     {
         context.Response.StatusCode = StatusCodes.Status404NotFound;
         context.Response.ContentType = "text/plain; charset=utf-8";
-        return context.Response.WriteAsync($"This build of the program does not contain the page. Install Node.js, then run: {BuildCommand}\n", context.RequestAborted);
+        return context.Response.WriteAsync($"This build of the program does not contain the page. Install Node 20 or later, then run: {BuildCommand}\n", context.RequestAborted);
     }
 
     private static PageFile? Read(string name)
