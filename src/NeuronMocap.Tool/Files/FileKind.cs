@@ -74,14 +74,15 @@ internal static class FileKinds
     // A damaged file may lack its first line. A file in another encoding than UTF-8 still contains these words.
     private static bool IsBvh(byte[] start)
     {
-        if (!IsText(start))
+        // A crash can leave NULs after the end of a file.
+        if (!IsText(start.AsSpan().TrimEnd((byte)0)))
             return false;
 
         string text = Encoding.Latin1.GetString(start);
         return BvhWords.Any(word => text.Contains(word, StringComparison.OrdinalIgnoreCase));
     }
 
-    private static bool IsText(byte[] start) => !start.AsSpan().ContainsAnyInRange((byte)0, (byte)8);
+    private static bool IsText(ReadOnlySpan<byte> start) => !start.ContainsAnyInRange((byte)0, (byte)8);
 
     private static bool IsCalculation(string path)
     {
