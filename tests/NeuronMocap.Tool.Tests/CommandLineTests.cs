@@ -15,6 +15,14 @@ public sealed partial class CommandLineTests
     [InlineData("--frames", "watch", "--frames", "-1")]
     [InlineData("--frames", "watch", "--frames", "1.5")]
     [InlineData("--frames needs a value, N.", "watch", "--frames")]
+    [InlineData("--rate needs a value, HZ.", "info", "--rate=", "box.bvh")]
+    [InlineData("--from needs a value, SECONDS.", "convert", "--from=", "in.bvh", "out.bvh")]
+    [InlineData("--from needs a value, SECONDS.", "convert", "in.bvh", "out.bvh", "--from:")]
+    [InlineData("--from needs a value, SECONDS.", "convert", "--from=", "--to=", "in.bvh", "out.bvh")]
+    [InlineData("--record needs a value, FILE.", "watch", "demo", "--duration", "1", "--record=", "o/eq.nmrec")]
+    [InlineData("--token needs a value, WORD.", "view", "demo", "--token=", "foo")]
+    [InlineData("--commands needs a value, PORT.", "simulate", "--commands=", "8013")]
+    [InlineData("--json takes no value.", "info", "--json=", "a.bvh")]
     [InlineData("--frames is given more than once.", "watch", "--frames", "1", "--frames", "2")]
     [InlineData("--duration", "watch", "--duration", "0")]
     [InlineData("--duration", "watch", "--duration", "NaN")]
@@ -207,6 +215,29 @@ public sealed partial class CommandLineTests
 
         Assert.Equal(2, result.ExitCode);
         Assert.Contains("write neuron-mocap watch --json.", Assert.Single(result.Error), StringComparison.Ordinal);
+    }
+
+    // Covers every option that --help lists, so that new options are tested too. An option without values has another sentence.
+    [Theory]
+    [MemberData(nameof(Verbs))]
+    public async Task An_empty_value_never_takes_the_next_word(string verb)
+    {
+        foreach (VerbOption option in await VerbHelp.ReadAsync(verb))
+        {
+            foreach (string separator in (string[])["=", ":"])
+            {
+                ToolResult result = await ToolRunner.RunAsync([verb, option.Name + separator, .. VerbHelp.FilesOf(verb)]);
+                Assert.Equal(2, result.ExitCode);
+                Assert.Matches($"^neuron-mocap: {option.Name} (needs a value, |takes no value)", Assert.Single(result.Error));
+            }
+        }
+    }
+
+    [Fact]
+    public async Task After_two_dashes_a_name_may_end_with_an_equals_sign()
+    {
+        ToolResult result = await ToolRunner.RunAsync("info", "--", "--rate=");
+        Assert.Equal((1, "neuron-mocap: '--rate=' does not exist."), (result.ExitCode, Assert.Single(result.Error)));
     }
 
     // Covers every option that --help lists, so that new options are tested too: with a value that none accepts, and without a value.

@@ -29,6 +29,8 @@ internal static class UsageFault
         string[] afterOptions = [.. args.SkipWhile(static word => word is not EndOfOptions)];
         if (leftOver.Except(afterOptions, StringComparer.Ordinal).FirstOrDefault(IsOption) is { } unknown)
             return WithHelp(help, DescribeUnknown(unknown, command));
+        if (FindEmptyValue(command, args) is { } empty)
+            return WithHelp(help, empty);
         if (FindSwallowed(result.CommandResult) is { } swallowed)
             return WithHelp(help, DescribeSwallowed(swallowed.Option, swallowed.Value, swallowed.IsKnown));
         if (FindNeedlessValue(command, args) is { } flag)
@@ -109,6 +111,19 @@ internal static class UsageFault
     private static string DescribeSwallowed(string option, string value, bool isKnown) => isKnown
         ? $"{option} needs a value, and {value} is another option."
         : $"{option} needs a value, and {value} looks like another option. Write ./{value} for a file of that name.";
+
+    // Finds an option with an empty value, as scripts write it: --from=$START. The parser would take the next word as the value.
+    private static string? FindEmptyValue(Command command, IReadOnlyList<string> args)
+    {
+        foreach (string word in args.TakeWhile(static word => word is not EndOfOptions).Where(static word => IsOption(word) && word[^1] is '=' or ':'))
+        {
+            string name = word[..^1];
+            if (command.Options.FirstOrDefault(option => option.Arity.MaximumNumberOfValues > 0 && NamesOf(option).Contains(name, StringComparer.Ordinal)) is { } option)
+                return $"{name} needs a value, {option.HelpName}.";
+        }
+
+        return null;
+    }
 
     // Finds an option without values that is written with one, as in --json=1.
     private static string? FindNeedlessValue(Command command, IReadOnlyList<string> args)

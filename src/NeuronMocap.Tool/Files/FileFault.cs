@@ -48,6 +48,15 @@ internal static class FileFault
     public static string OfStandardOutput(IOException exception) =>
         $"standard output cannot be written{(IsDiskFull(exception) ? ": the disk is full." : ".")}";
 
+    /// <summary>Puts the name of the file before a sentence of the library, unless the sentence has it or is about an option.</summary>
+    public static string WithName(string sentence, string path)
+    {
+        string name = Quote(path);
+        return sentence.StartsWith("--", StringComparison.Ordinal) || TerminalText.Clean(sentence).Contains(name, StringComparison.Ordinal)
+            ? sentence
+            : $"{name}: {sentence}";
+    }
+
     /// <summary>Whether the disk is full.</summary>
     public static bool IsDiskFull(Exception exception) => exception.HResult is DiskFull or WindowsDiskFull;
 

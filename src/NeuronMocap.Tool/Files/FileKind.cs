@@ -71,9 +71,13 @@ internal static partial class FileKinds
     }
 
     // A damaged file may lack its first line. A file in another encoding than UTF-8 still contains these words. Other texts contain them within sentences.
-    private static bool IsBvh(byte[] start) => IsText(start) && BvhLine().IsMatch(Encoding.Latin1.GetString(start));
+    private static bool IsBvh(byte[] start)
+    {
+        // A crash can leave NULs after the end of a file.
+        return IsText(start.AsSpan().TrimEnd((byte)0)) && BvhLine().IsMatch(Encoding.Latin1.GetString(start));
+    }
 
-    private static bool IsText(byte[] start) => !start.AsSpan().ContainsAnyInRange((byte)0, (byte)8);
+    private static bool IsText(ReadOnlySpan<byte> start) => !start.ContainsAnyInRange((byte)0, (byte)8);
 
     private static bool IsCalculation(string path)
     {

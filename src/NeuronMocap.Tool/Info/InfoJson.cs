@@ -18,6 +18,10 @@ internal static class InfoJson
         return json.ToJsonString(Options) + "\n";
     }
 
+    /// <summary>The object of a file that cannot be read.</summary>
+    public static string WriteFault(string file, string sentence) =>
+        new JsonObject { ["type"] = "info", ["file"] = file, ["error"] = sentence }.ToJsonString(Options) + "\n";
+
     private static JsonObject Facts(InfoSection section)
     {
         var json = new JsonObject();

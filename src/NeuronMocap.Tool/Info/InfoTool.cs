@@ -8,7 +8,11 @@ namespace NeuronMocap.Tool.Info;
 internal sealed class InfoTool(FileSettings settings, StandardStreams streams)
 {
     /// <summary>Describes the file. Returns the exit code.</summary>
-    public Task<int> RunAsync(CancellationToken cancellationToken) => new FileRun(settings, streams).RunAsync((_, stop) => Run(stop), cancellationToken);
+    public Task<int> RunAsync(CancellationToken cancellationToken)
+    {
+        var run = new FileRun(settings, streams) { Failed = settings.Json ? WriteFault : null };
+        return run.RunAsync((_, stop) => Run(stop), cancellationToken);
+    }
 
     private void Run(CancellationToken cancellationToken)
     {
@@ -22,7 +26,14 @@ internal sealed class InfoTool(FileSettings settings, StandardStreams streams)
             return;
         }
 
-        streams.Output.Write(Encoding.UTF8.GetBytes(InfoJson.Write(report)));
+        Write(InfoJson.Write(report));
+    }
+
+    private void WriteFault(string sentence) => Write(InfoJson.WriteFault(Path.GetFileName(settings.Input), sentence));
+
+    private void Write(string line)
+    {
+        streams.Output.Write(Encoding.UTF8.GetBytes(line));
         streams.Output.Flush();
     }
 

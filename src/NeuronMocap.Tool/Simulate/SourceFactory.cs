@@ -1,6 +1,7 @@
 using NeuronMocap.Bvh;
 using NeuronMocap.Calculation;
 using NeuronMocap.Server;
+using NeuronMocap.Tool.Files;
 
 namespace NeuronMocap.Tool.Simulate;
 
@@ -48,6 +49,7 @@ internal static class SourceFactory
     private static SimulatorSources OpenTake(FileInfo file, SourceSettings settings)
     {
         BvhDocument document = BvhDocument.Load(file.FullName);
+        BvhFile.RequireRows(document);
         var take = new BvhSource(document);
         string repairs = document.RepairCount == 0 ? string.Empty : $", {document.RepairCount} repairs, first {document.Repairs[0]}";
         return new SimulatorSources(Repeat(take, settings), take.RotationOrder, Describe(file, take) + repairs);

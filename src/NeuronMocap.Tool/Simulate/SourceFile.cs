@@ -19,7 +19,7 @@ internal static class SourceFile
         }
         catch (NeuronException exception)
         {
-            throw new SimulatorException($"{option}: {exception.Message}{SuggestOption(option, file)}");
+            throw new SimulatorException($"{option}: {FileFault.WithName(exception.Message, file.ToString())}{SuggestOption(option, file)}");
         }
         catch (UnauthorizedAccessException)
         {

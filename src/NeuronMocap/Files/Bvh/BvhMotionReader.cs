@@ -81,7 +81,7 @@ internal sealed class BvhMotionReader(int channelCount, BvhRepairLog repairs, Bv
     // Reads all declarations. Returns false at the end, or where a second hierarchy begins.
     private bool MoveToRow(ref BvhText text)
     {
-        while (text.SkipSpace())
+        while (MoveToWord(ref text))
         {
             BvhTextPosition place = text.Place;
             if (text.TryRead("HIERARCHY"u8))
@@ -99,6 +99,33 @@ internal sealed class BvhMotionReader(int channelCount, BvhRepairLog repairs, Bv
             repairs.Add(_start, $"There is no usable frame time", $"120 Hz is assumed");
 
         _isEnded = true;
+        return false;
+    }
+
+    // Bytes that can follow the end of a text are not a row. If more text follows them, their line is damaged.
+    private bool MoveToWord(ref BvhText text)
+    {
+        while (text.SkipSpace())
+        {
+            BvhTextPosition place = text.Place;
+            if (!text.TrySkipPadding())
+                return true;
+
+            bool isInLine;
+            do
+            {
+                isInLine = !text.IsAtLineEnd();
+            }
+            while (text.SkipSpace() && text.TrySkipPadding());
+            if (!text.SkipSpace())
+                return false;
+
+            _rows.LeaveOut();
+            repairs.AddLeftOut(place, $"A control character is not a number", $"the line is skipped");
+            if (isInLine)
+                text.SkipLine();
+        }
+
         return false;
     }
 
@@ -282,7 +309,12 @@ internal sealed class BvhMotionReader(int channelCount, BvhRepairLog repairs, Bv
 
     private void ReportNoNumber(ref BvhText text)
     {
-        repairs.AddLeftOut(text.Place, $"{text.PeekLineWord()} is not a number", $"the line is skipped");
+        ReadOnlySpan<byte> word = text.PeekLineWord();
+        if (IsDecimalComma(word))
+            repairs.AddLeftOut(text.Place, $"{word} is not a number, because BVH files have decimal points, not commas", $"the line is skipped");
+        else
+            repairs.AddLeftOut(text.Place, $"{word} is not a number", $"the line is skipped");
+
         text.SkipLine();
     }
 }

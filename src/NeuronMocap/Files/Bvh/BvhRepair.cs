@@ -6,6 +6,9 @@ namespace NeuronMocap.Bvh;
 /// <param name="Description">The defect and its interpretation, in English.</param>
 public readonly record struct BvhRepair(int Line, int Column, string Description)
 {
+    /// <summary>Whether a row or a line was skipped.</summary>
+    public bool SkipsRow { get; init; }
+
     /// <inheritdoc/>
     public override string ToString() => $"line {Line}, column {Column}: {Description}";
 }

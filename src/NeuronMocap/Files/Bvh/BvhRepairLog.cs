@@ -23,15 +23,7 @@ internal sealed class BvhRepairLog(bool isStrict)
     public void Add(
         BvhTextPosition place,
         [InterpolatedStringHandlerArgument("")] Description fault,
-        [InterpolatedStringHandlerArgument("")] Description remedy)
-    {
-        if (isStrict)
-            throw new BvhFormatException($"{fault.ToString()}.", place.Line, place.Column);
-
-        Count += Count < int.MaxValue ? 1 : 0;
-        if (!IsFull)
-            _listed.Add(new BvhRepair(place.Line, place.Column, $"{fault.ToString()}; {remedy.ToString()}."));
-    }
+        [InterpolatedStringHandlerArgument("")] Description remedy) => Add(place, fault, remedy, skipsRow: false);
 
     /// <summary>Adds the repair of a row or line that is skipped.</summary>
     public void AddLeftOut(
@@ -40,7 +32,17 @@ internal sealed class BvhRepairLog(bool isStrict)
         [InterpolatedStringHandlerArgument("")] Description remedy)
     {
         LeftOutCount += LeftOutCount < int.MaxValue ? 1 : 0;
-        Add(place, fault, remedy);
+        Add(place, fault, remedy, skipsRow: true);
+    }
+
+    private void Add(BvhTextPosition place, Description fault, Description remedy, bool skipsRow)
+    {
+        if (isStrict)
+            throw new BvhFormatException($"{fault.ToString()}.", place.Line, place.Column);
+
+        Count += Count < int.MaxValue ? 1 : 0;
+        if (!IsFull)
+            _listed.Add(new BvhRepair(place.Line, place.Column, $"{fault.ToString()}; {remedy.ToString()}.") { SkipsRow = skipsRow });
     }
 
     // Builds a description only while the list has room. Otherwise, a file that consists of defects would cost hundreds of bytes for each of its

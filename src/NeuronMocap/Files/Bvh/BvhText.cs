@@ -154,7 +154,17 @@ internal ref struct BvhText
     public bool IsAtLineEnd()
     {
         Skip(static letter => !IsSpace(letter) || IsLineEnd(letter));
-        return (_position == _window.Length && !Fill()) || IsLineEnd(_window[_position]);
+        return (_position == _window.Length && !Fill()) || IsLineEnd(_window[_position]) || (IsPadding(_window[_position]) && IsOnlyPaddingLeft());
+    }
+
+    /// <summary>Skips bytes that can follow the end of a text. Returns false if the next byte is none of them.</summary>
+    public bool TrySkipPadding()
+    {
+        if ((_position == _window.Length && !Fill()) || !IsPadding(_window[_position]))
+            return false;
+
+        Skip(static letter => !IsPadding(letter));
+        return true;
     }
 
     /// <summary>Moves past bytes that were peeked.</summary>
@@ -190,7 +200,7 @@ internal ref struct BvhText
                 continue;
             }
 
-            ReadOnlySpan<byte> word = PeekLineWord();
+            ReadOnlySpan<byte> word = PeekNumber();
             if (word.Length is 0 or LongestWord || !TextNumber.TryParse(word, out values[count]))
                 return count;
             if (notFinite == default && !float.IsFinite(values[count]))
@@ -200,6 +210,27 @@ internal ref struct BvhText
         }
 
         return values.Length;
+    }
+
+    // The last number of a text can touch the bytes after its end.
+    private ReadOnlySpan<byte> PeekNumber()
+    {
+        ReadOnlySpan<byte> word = PeekLineWord();
+        if (word.IsEmpty || !IsPadding(word[^1]))
+            return word;
+
+        int length = word.Length;
+        while (length > 0 && IsPadding(word[length - 1]))
+            length--;
+
+        return word[..length];
+    }
+
+    // Looks ahead as far as a word can reach.
+    private bool IsOnlyPaddingLeft()
+    {
+        int length = PeekUntil(static letter => !IsPadding(letter) && !IsSpace(letter), LongestWord).Length;
+        return length < LongestWord && _position + length == _window.Length;
     }
 
     private bool IsNext(ReadOnlySpan<byte> keyword)

@@ -11,6 +11,9 @@ internal static class BvhWord
 
     public static bool IsLineEnd(byte letter) => letter is (byte)'\r' or (byte)'\n';
 
+    /// <summary>Whether it is a byte that can follow the end of a text: Ctrl-Z, by which old programs end it, or NUL, from a crash or a fixed block size.</summary>
+    public static bool IsPadding(byte letter) => letter is 0 or 0x1A;
+
     public static bool IsBrace(byte letter) => letter is (byte)'{' or (byte)'}';
 
     public static byte ToLower(byte letter) => letter is >= (byte)'A' and <= (byte)'Z' ? (byte)(letter | 0x20) : letter;
@@ -48,13 +51,15 @@ internal static class BvhWord
     {
         int point = number.IndexOf((byte)'.');
         ReadOnlySpan<byte> decimals = number[(point + 1)..];
-        foreach (byte letter in decimals)
-        {
-            if (letter is < (byte)'0' or > (byte)'9')
-                return 0;
-        }
+        return point < 0 || !AreDigits(decimals) ? 0 : decimals.Length;
+    }
 
-        return point < 0 ? 0 : decimals.Length;
+    /// <summary>Whether it is a number with a comma in place of the decimal point.</summary>
+    public static bool IsDecimalComma(ReadOnlySpan<byte> word)
+    {
+        ReadOnlySpan<byte> digits = word[(word.Length > 0 && word[0] is (byte)'-' or (byte)'+' ? 1 : 0)..];
+        int comma = digits.IndexOf((byte)',');
+        return comma > 0 && comma < digits.Length - 1 && AreDigits(digits[..comma]) && AreDigits(digits[(comma + 1)..]);
     }
 
     /// <summary>Quotes the start of a text, for a message.</summary>
@@ -63,6 +68,17 @@ internal static class BvhWord
 
     /// <summary>Quotes the start of a text, for a message.</summary>
     public static string Quote(string text) => Quote(text.AsSpan(0, Math.Min(text.Length, LongestQuote)), isCut: text.Length > LongestQuote);
+
+    private static bool AreDigits(ReadOnlySpan<byte> text)
+    {
+        foreach (byte letter in text)
+        {
+            if (letter is < (byte)'0' or > (byte)'9')
+                return false;
+        }
+
+        return true;
+    }
 
     private static string Quote(ReadOnlySpan<char> start, bool isCut)
     {

@@ -1,3 +1,4 @@
+using System.Text;
 using NeuronMocap.Bvh;
 using static NeuronMocap.Tests.Bvh.BvhSamples;
 
@@ -189,6 +190,54 @@ public class BvhMotionTests
         Assert.Equal((1, 0), (document.SkippedRowCount, document.InnerSkippedRowCount));
     }
 
+    [Theory]
+    [InlineData("\u001a")]
+    [InlineData("\u001a\r\n")]
+    [InlineData("\u001a\0\0\0")]
+    [InlineData("\0\0\n\0\0")]
+    public void Padding_after_the_last_row_is_the_end(string padding)
+    {
+        foreach (string end in (string[])[padding, "\n" + padding])
+        {
+            byte[] text = Encoding.ASCII.GetBytes($"{Hierarchy}MOTION\nFrames: 1\nFrame Time: 0.01\n{Row.TrimEnd()}{end}");
+            BvhReadings.AssertAlike(text, seed: 1);
+            BvhDocument document = BvhDocument.Parse(text);
+            AssertBits(RowValues, Values(document));
+            Assert.Empty(document.Repairs);
+        }
+    }
+
+    [Fact]
+    public void Padding_may_be_longer_than_a_word()
+    {
+        BvhDocument document = ParseRows(1, Row + new string('\0', 1 << 18));
+        AssertBits(RowValues, Values(document));
+        Assert.Empty(document.Repairs);
+    }
+
+    [Fact]
+    public void Padding_before_more_rows_is_a_skipped_line()
+    {
+        BvhDocument document = ParseRows(2, $"{Row}\0\0 1 2\n\0\n{Row}");
+        AssertBits([.. RowValues, .. RowValues], Values(document));
+        Assert.Equal([20, 21], document.Repairs.Select(static repair => repair.Line));
+        Assert.All(document.Repairs, static repair => Assert.True(repair.SkipsRow));
+    }
+
+    [Theory]
+    [InlineData("1,5", true)]
+    [InlineData("-99,963745", true)]
+    [InlineData("1,5,2", false)]
+    [InlineData("1,", false)]
+    [InlineData(",5", false)]
+    [InlineData("x,5", false)]
+    public void A_decimal_comma_is_explained(string word, bool isExplained)
+    {
+        BvhRepair repair = OnlyRepair(ParseRows(1, $"{Row}{word} 2 3 4 5 6 7 8 9\n"));
+        Assert.Equal(isExplained, repair.Description.Contains("decimal points, not commas", StringComparison.Ordinal));
+        Assert.True(repair.SkipsRow);
+    }
+
     [Fact]
     public void Several_motion_blocks_form_one_take()
     {
@@ -243,7 +292,7 @@ public class BvhMotionTests
 
         Assert.Equal(BvhDocument.MaxListedRepairs, document.Repairs.Count);
         Assert.Equal(5000, document.RepairCount);
-        Assert.Equal(new BvhRepair(19, 1, "'x' is not a number; the line is skipped."), document.Repairs[0]);
+        Assert.Equal(new BvhRepair(19, 1, "'x' is not a number; the line is skipped.") { SkipsRow = true }, document.Repairs[0]);
         Assert.Equal("line 118, column 1: 'x' is not a number; the line is skipped.", document.Repairs[99].ToString());
     }
 

@@ -164,9 +164,9 @@ public class BvhReaderTests
         Assert.Equal(10, document.FrameCount);
         Assert.Equal(
             [
-                new BvhRepair(19, 1, "A row has 2 values instead of 9; it is skipped."),
+                new BvhRepair(19, 1, "A row has 2 values instead of 9; it is skipped.") { SkipsRow = true },
                 new BvhRepair(20, 1, "More than 8 rows are on one line; every 9 values are read as one."),
-                new BvhRepair(20, 181, "A row has 2 values instead of 9; it is skipped."),
+                new BvhRepair(20, 181, "A row has 2 values instead of 9; it is skipped.") { SkipsRow = true },
             ],
             document.Repairs);
     }
