@@ -40,7 +40,7 @@ internal sealed class RelayFlow(NeuronReader reader, string source, IReadOnlyLis
     {
         OutletFigures figures = outlet.GetFigures();
         string bytes = figures.Bytes is { } count ? $", {Quantity.Bytes(count)}" : string.Empty;
-        string failure = figures.Failure is { } reason ? $"; failed: {reason}" : string.Empty;
+        string failure = figures.Failure is { } reason ? $"; {DescribeFailure(reason)}" : string.Empty;
         string skipped = figures.Skipped is { } left ? Quantity.Format($", {left} left out by rate") : string.Empty;
         string note = figures is { Sent: 0, Note: { } unsent } ? $"; {unsent.Text}" : string.Empty;
         return Quantity.Format($"{outlet.Name}: {figures.Sent} {outlet.Unit}, {figures.Dropped} dropped{skipped}{bytes}{failure}{note}");
@@ -92,6 +92,9 @@ internal sealed class RelayFlow(NeuronReader reader, string source, IReadOnlyLis
         return table;
     }
 
+    // A reason is a sentence, and a line goes on after it.
+    private static string DescribeFailure(string reason) => $"failed: {reason.TrimEnd('.')}";
+
     private static Text Cell(string text, Style? style = null) => new(TerminalText.Clean(text), style);
 
     private string DescribeSource() => reader.Status is { State: ConnectionState.Receiving, Reason: ConnectionReason.None }
@@ -114,7 +117,7 @@ internal sealed class RelayFlow(NeuronReader reader, string source, IReadOnlyLis
 
         public string State => this switch
         {
-            { Figures.Failure: { } failure } => $"failed: {failure}",
+            { Figures.Failure: { } failure } => DescribeFailure(failure),
             { Figures.Note: { } note } => note.Text,
             { Code: Dropping } => "dropping: slow or not reachable",
             { Code: Waiting } => "waiting for clients",
