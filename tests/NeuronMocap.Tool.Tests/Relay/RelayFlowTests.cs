@@ -23,7 +23,7 @@ public sealed class RelayFlowTests
 
         public override string Announcement => "Recording to a.nmrec";
 
-        public override string Unit => "pieces";
+        public override string Noun => "piece";
 
         public override OutletFigures GetFigures() => figures;
 

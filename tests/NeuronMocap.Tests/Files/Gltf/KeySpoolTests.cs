@@ -83,6 +83,7 @@ public sealed class KeySpoolTests
         protected override void Dispose(bool disposing)
         {
             IsClosed = true;
+            base.Dispose(disposing);
             throw NoSpace();
         }
 
