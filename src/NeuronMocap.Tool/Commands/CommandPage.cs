@@ -69,7 +69,7 @@ internal sealed class CommandPage(StandardStreams streams)
         BvhJoint root = document.Joints[0];
         yield return string.Create(
             CultureInfo.InvariantCulture,
-            $"{document.Joints.Count} joints from {TerminalText.Clean(root.Name)}, {document.ChannelCount} values a frame");
+            $"{document.Joints.Count} {Quantity.Noun(document.Joints.Count, "joint")} from {TerminalText.Clean(root.Name)}, {document.ChannelCount} {Quantity.Noun(document.ChannelCount, "value")} a frame");
         if (!BvhSkeletonMap.TryCreate(document, out BvhSkeletonMap? map, out string? reason))
         {
             yield return $"not the 59 bones of Axis Neuron: {TerminalText.Clean(reason)}";

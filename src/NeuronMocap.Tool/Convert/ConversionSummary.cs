@@ -90,5 +90,5 @@ internal sealed class ConversionSummary
     }
 
     private static string Count(long count, string what) =>
-        count == 0 ? $"no {what}s" : Quantity.Format($"{count:#,0} {what}{(count == 1 ? string.Empty : "s")}");
+        count == 0 ? $"no {what}s" : Quantity.Count(count, what);
 }

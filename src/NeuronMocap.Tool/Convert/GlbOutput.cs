@@ -119,10 +119,13 @@ internal sealed class GlbOutput(
     {
         long repaired = _avatars.Sum(static avatar => avatar.RepairedFrames);
         if (repaired > 0)
-            summary.AddWarning(Quantity.Format($"{repaired:#,0} frames have values that are not numbers; their bones keep the values before"));
+            summary.AddWarning($"{Quantity.Count(repaired, "frame has", "frames have")} values that are not numbers; the bones keep the values before");
 
         long skipped = _avatars.Sum(static avatar => avatar.SkippedFrames);
         if (skipped > 0)
-            summary.AddWarning(Quantity.Format($"{skipped:#,0} frames are left out because their times do not advance in single precision"));
+            summary.AddWarning(Quantity.Count(
+                skipped,
+                "frame is left out because its time does not advance in single precision",
+                "frames are left out because their times do not advance in single precision"));
     }
 }

@@ -20,7 +20,7 @@ internal static class StreamWarnings
         }
 
         foreach (RecordingProblem problem in reader.Problems)
-            summary.AddWarning(Quantity.Format($"at byte {problem.Offset:#,0}, {problem.Length:#,0} bytes: {problem.Description}"));
+            summary.AddWarning(Quantity.Format($"at byte {problem.Offset:#,0}, {Quantity.Count(problem.Length, "byte")}: {problem.Description}"));
         if (!reader.IsComplete)
             summary.AddWarning("the recording was not closed: its last part may be missing");
         if (lost > 0)
@@ -78,7 +78,7 @@ internal static class StreamWarnings
         if (hasMotion && !isStudio && settings.InputOrder is null && !KnowsOrder(settings.Input))
             summary.AddWarning("the rotation order of the stream is not known, and YXZ is assumed; set --order if it differs");
         if (others > 0)
-            summary.AddLoss(Quantity.Format($"{others:#,0} frames of other avatars or kinds"));
+            summary.AddLoss($"{Quantity.Count(others, "frame")} of other avatars or kinds");
     }
 
     private static bool KnowsOrder(string path)

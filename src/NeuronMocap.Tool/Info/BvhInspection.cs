@@ -72,10 +72,10 @@ internal sealed class BvhInspection(string path, IProgress<double> progress)
         section.Add(
             "joints",
             "joints",
-            Quantity.Format($"{document.Joints.Count}, {ends} End Sites, {Depth(document)} deep, from {string.Join(" and ", document.Joints.Where(static joint => joint.Parent is null).Take(3).Select(static joint => joint.Name))}"),
+            Quantity.Format($"{document.Joints.Count}, {Quantity.Count(ends, "End Site")}, {Depth(document)} deep, from {string.Join(" and ", document.Joints.Where(static joint => joint.Parent is null).Take(3).Select(static joint => joint.Name))}"),
             document.Joints.Count);
         section.Add("endSites", string.Empty, null, ends).Add("depth", string.Empty, null, Depth(document)).Add("roots", string.Empty, null, roots);
-        section.Add("channels", "channels", Quantity.Format($"{document.ChannelCount} values a frame"), document.ChannelCount);
+        section.Add("channels", "channels", Quantity.Format($"{document.ChannelCount} {Quantity.Noun(document.ChannelCount, "value")} a frame"), document.ChannelCount);
         if (map is null)
         {
             section.Add("notNeuron", "not Neuron's", reason!);
@@ -124,7 +124,7 @@ internal sealed class BvhInspection(string path, IProgress<double> progress)
         {
             0 => "none: no joint rotates",
             1 => orders[0].Order,
-            _ => string.Join(", ", orders.Select(static order => $"{order.Order} ({order.Joints} joints)")),
+            _ => string.Join(", ", orders.Select(static order => $"{order.Order} ({Quantity.Count(order.Joints, "joint")})")),
         };
     }
 
@@ -134,7 +134,7 @@ internal sealed class BvhInspection(string path, IProgress<double> progress)
         foreach (BvhRepair repair in document.Repairs)
             section.Remark("repair", repair.Description, repair.Line, repair.Column);
         if (document.RepairCount > document.Repairs.Count)
-            section.Remark("repairs", $"{document.RepairCount - document.Repairs.Count} more repairs");
+            section.Remark("repairs", $"{document.RepairCount - document.Repairs.Count} more {Quantity.Noun(document.RepairCount - document.Repairs.Count, "repair")}");
         if (document.FrameCount == 0)
         {
             section.Remark("noFrames", "a skeleton without frames");

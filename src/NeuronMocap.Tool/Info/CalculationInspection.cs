@@ -79,7 +79,7 @@ internal sealed class CalculationInspection(FileSettings settings, IProgress<dou
 
     private static string Describe(CalculationTextFormat format) => string.Create(
         System.Globalization.CultureInfo.InvariantCulture,
-        $"{format.Decimals} decimals, {(format.Separator is "\t" ? "tabs" : "blanks")} between them, {(format.Header.Length > 0 ? $"{format.Header.Length} bytes before the rows" : "no header")}");
+        $"{Quantity.Count(format.Decimals, "decimal")}, {(format.Separator is "\t" ? "tabs" : "blanks")} between them, {(format.Header.Length > 0 ? $"{Quantity.Count(format.Header.Length, "byte")} before the rows" : "no header")}");
 
     private (long Left, long Right) Scan(CalculationFileReader reader, InfoSection oddities, CancellationToken cancellationToken)
     {
@@ -106,11 +106,11 @@ internal sealed class CalculationInspection(FileSettings settings, IProgress<dou
         foreach (CalculationRepair repair in reader.Repairs)
             oddities.Remark("repair", repair.Description, repair.Line, repair.Column);
         if (reader.RepairCount > reader.Repairs.Count)
-            oddities.Remark("repairs", $"{reader.RepairCount - reader.Repairs.Count} more repairs");
+            oddities.Remark("repairs", $"{reader.RepairCount - reader.Repairs.Count} more {Quantity.Noun(reader.RepairCount - reader.Repairs.Count, "repair")}");
         if (notNumbers > 0)
-            oddities.Remark("notNumbers", Quantity.Format($"{notNumbers:#,0} values are not finite numbers"));
+            oddities.Remark("notNumbers", Quantity.Count(notNumbers, "value is not a finite number", "values are not finite numbers"));
         if (changes.Count(static changes => !changes) is > 0 and var constant)
-            oddities.Remark("constantColumns", $"{constant} of the {values.Length} values never change");
+            oddities.Remark("constantColumns", $"{constant} of the {values.Length} values never {Quantity.Noun(constant, "changes", "change")}");
 
         return (left, right);
     }

@@ -49,7 +49,7 @@ internal static class MotionSection
         section.Add(
             "footContacts",
             "feet on ground",
-            Quantity.Format($"left {left.Share * 100:0.0} %, right {right.Share * 100:0.0} % of the time; {left.Steps.Count} and {right.Steps.Count} times set down"),
+            Quantity.Format($"left {left.Share * 100:0.0} %, right {right.Share * 100:0.0} % of the time; {left.Steps.Count} and {right.Steps.Count} {Quantity.Noun(right.Steps.Count, "time")} set down"),
             new JsonObject
             {
                 ["left"] = Math.Round(left.Share, 5),

@@ -23,7 +23,7 @@ internal static class RecordingSections
         recording.Add("bytes", string.Empty, null, size);
         recording.Add("start", "recorded", Quantity.Format($"{reader.StartTime:yyyy-MM-dd HH:mm:ss} UTC"), JsonValue.Create(reader.StartTime.UtcDateTime));
         recording.Add("seconds", "duration", Quantity.Format($"{reader.Duration.TotalSeconds:0.000} s"), reader.Duration.TotalSeconds);
-        recording.Add("payloadBytes", "received", Quantity.Format($"{Quantity.Bytes(bytes)} in {pieces:#,0} pieces, kept in {Quantity.Bytes(size)}"), bytes);
+        recording.Add("payloadBytes", "received", Quantity.Format($"{Quantity.Bytes(bytes)} in {Quantity.Count(pieces, "piece")}, kept in {Quantity.Bytes(size)}"), bytes);
         recording.Add("pieces", string.Empty, null, pieces).Add("lostBytes", string.Empty, null, lost);
         recording.Add("complete", "closed", reader.IsComplete ? "yes" : "no: the recording program was killed, could not write, or is still running", reader.IsComplete);
         if (reader.FileNumber > 1)
@@ -43,7 +43,7 @@ internal static class RecordingSections
         foreach (RecordingProblem problem in reader.Problems)
         {
             damage.Item(
-                Quantity.Format($"at byte {problem.Offset:#,0}, {problem.Length:#,0} bytes: {problem.Description}"),
+                Quantity.Format($"at byte {problem.Offset:#,0}, {Quantity.Count(problem.Length, "byte")}: {problem.Description}"),
                 new JsonObject { ["offset"] = problem.Offset, ["length"] = problem.Length, ["text"] = problem.Description });
         }
     }

@@ -12,7 +12,7 @@ internal static class RowWarnings
     public static void Add(InfoSection section, RowScan scan, double frameRate, int columns)
     {
         if (scan.NotNumbers > 0)
-            section.Remark("notNumbers", Quantity.Format($"{scan.NotNumbers:#,0} values are not finite numbers, the first in frame {scan.FirstNotNumber}"));
+            section.Remark("notNumbers", Quantity.Format($"{Quantity.Count(scan.NotNumbers, "value is not a finite number", "values are not finite numbers")}, the first in frame {scan.FirstNotNumber}"));
         if (scan.StartsAtRest)
             section.Remark("restPose", "the first frame is the rest pose, a T-pose, and the next one jumps: leave it out if you measure the motion");
         if (scan.Flips > 0)
@@ -34,7 +34,7 @@ internal static class RowWarnings
         }
 
         if (scan.ConstantColumns > 0 && scan.ConstantColumns < columns)
-            section.Remark("constantColumns", $"{scan.ConstantColumns} of the {columns} values never change");
+            section.Remark("constantColumns", $"{scan.ConstantColumns} of the {columns} values never {Quantity.Noun(scan.ConstantColumns, "changes", "change")}");
         else if (scan.ConstantColumns == columns)
             section.Remark("constantColumns", "nothing moves: no value changes from one frame to the next");
     }

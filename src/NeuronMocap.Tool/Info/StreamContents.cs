@@ -58,7 +58,7 @@ internal sealed class StreamContents
             Quantity.Format($"{_statistics.MotionFrames:#,0} motion, {_statistics.CalculationFrames + _statistics.StudioCalculationFrames:#,0} calculation"),
             _statistics.MotionFrames);
         stream.Add("calculationFrames", string.Empty, null, _statistics.CalculationFrames + _statistics.StudioCalculationFrames);
-        stream.Add("lostFrames", "lost", Quantity.Format($"{_statistics.Lost:#,0} frames, by the frame index"), _statistics.Lost);
+        stream.Add("lostFrames", "lost", $"{Quantity.Count(_statistics.Lost, "frame")}, by the frame index", _statistics.Lost);
         stream.Add("skippedBytes", "skipped", Skipped(), SkippedJson());
 
         InfoSection avatars = report.Section("avatars", "Avatars");
@@ -71,7 +71,7 @@ internal sealed class StreamContents
         (PacketKind kind, string format) = frame switch
         {
             MotionFrame motion => (PacketKind.Motion, DescribeMotion(motion)),
-            CalculationFrame calculation => (PacketKind.Calculation, Quantity.Format($"calculation data of {calculation.BoneCount} bones")),
+            CalculationFrame calculation => (PacketKind.Calculation, $"calculation data of {Quantity.Count(calculation.BoneCount, "bone")}"),
             _ => (PacketKind.StudioCalculation, "calculation data of Axis Studio"),
         };
         _formats.Add(format);
@@ -86,12 +86,12 @@ internal sealed class StreamContents
     {
         DataVersion version = frame.Header.Version;
         string header = version == DataVersion.None ? "text" : version == DataVersion.Studio ? "Axis Studio's packets" : $"packets of version {version}";
-        return Quantity.Format($"motion as {header}, {frame.Values.Length} values");
+        return Quantity.Format($"motion as {header}, {frame.Values.Length} {Quantity.Noun(frame.Values.Length, "value")}");
     }
 
     private string Skipped() => _skipped.Length == 0
         ? "no bytes"
-        : string.Join(", ", _skipped.Select(static skipped => Quantity.Format($"{skipped.Bytes:#,0} bytes {Describe(skipped.Reason)}")));
+        : string.Join(", ", _skipped.Select(static skipped => $"{Quantity.Count(skipped.Bytes, "byte")} {Describe(skipped.Reason)}"));
 
     private JsonObject SkippedJson()
     {
@@ -119,14 +119,14 @@ internal sealed class StreamContents
     {
         Frames? frames = _frames.GetValueOrDefault((avatar.Kind, avatar.Sender, avatar.AvatarIndex));
         string kind = avatar.Kind == PacketKind.Motion ? "motion" : "calculation";
-        string text = Quantity.Format($"{avatar.AvatarIndex} {avatar.AvatarName}{OfSender(avatar.Sender)}: {avatar.Frames:#,0} {kind} frame{(avatar.Frames == 1 ? string.Empty : "s")}");
+        string text = Quantity.Format($"{avatar.AvatarIndex} {avatar.AvatarName}{OfSender(avatar.Sender)}: {Quantity.Count(avatar.Frames, kind + " frame")}");
         if (hasTimes && frames?.FrameRate is { } rate)
             text += Quantity.Format($", {rate:0.0} Hz, at most {frames.LongestInterval.TotalMilliseconds:0} ms between two");
         if (avatar.FrequencyReduction > 1)
             text += $", 1 of {avatar.FrequencyReduction} frames sent";
         text += Quantity.Format($", {(avatar.Lost == 0 ? "none" : Quantity.Count(avatar.Lost))} lost");
         if (avatar.Gaps > 0)
-            text += Quantity.Format($" in {avatar.Gaps:#,0} gap{(avatar.Gaps == 1 ? string.Empty : "s")}");
+            text += $" in {Quantity.Count(avatar.Gaps, "gap")}";
         if (avatar.Restarts > 0)
             text += Quantity.Format($", count restarted {(avatar.Restarts == 1 ? "once" : Quantity.Format($"{avatar.Restarts:#,0} times"))}");
 

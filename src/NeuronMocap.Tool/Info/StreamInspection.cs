@@ -72,7 +72,7 @@ internal sealed class StreamInspection(FileSettings settings, bool isRecording, 
 
     private static void AddGap(InfoSection section, RecordedGap gap)
     {
-        string missing = gap.Missing is { } count ? Quantity.Format($"{count:#,0} frames are missing") : "an unknown number of frames is missing";
+        string missing = gap.Missing is { } count ? Quantity.Count(count, "frame is missing", "frames are missing") : "an unknown number of frames is missing";
         section.Remark(
             gap.IsFilled ? "gap" : "cut",
             Quantity.Format($"{missing} before {gap.Time.TotalSeconds:0.000} s: {(gap.IsFilled ? "interpolated" : "the take continues directly after the gap")}"));

@@ -42,11 +42,11 @@ internal sealed class LineOutput(NeuronReader reader, Stream output) : WatchOutp
 
     public static string DescribeEnd(ReaderStatistics statistics) => string.Create(
         CultureInfo.InvariantCulture,
-        $"{statistics.MotionFrames} motion and {statistics.CalculationFrames + statistics.StudioCalculationFrames} calculation frames in {statistics.Duration.TotalSeconds:0.0} s; "
-        + $"lost {statistics.Lost}, dropped {statistics.Dropped}, skipped {statistics.BytesSkipped} bytes{DescribeRejected(statistics, ", ")}.");
+        $"{statistics.MotionFrames} motion and {statistics.CalculationFrames + statistics.StudioCalculationFrames} calculation {Quantity.Noun(statistics.CalculationFrames + statistics.StudioCalculationFrames, "frame")} in {statistics.Duration.TotalSeconds:0.0} s; "
+        + $"lost {statistics.Lost}, dropped {statistics.Dropped}, skipped {statistics.BytesSkipped} {Quantity.Noun(statistics.BytesSkipped, "byte")}{DescribeRejected(statistics, ", ")}.");
 
     private static string DescribeRejected(ReaderStatistics statistics, string separator) => statistics.RejectedMessages > 0
-        ? string.Create(CultureInfo.InvariantCulture, $"{separator}rejected {statistics.RejectedMessages} messages")
+        ? string.Create(CultureInfo.InvariantCulture, $"{separator}rejected {statistics.RejectedMessages} {Quantity.Noun(statistics.RejectedMessages, "message")}")
         : string.Empty;
 
     // If a server stops sending timecodes, the next line has none.
@@ -77,14 +77,14 @@ internal sealed class LineOutput(NeuronReader reader, Stream output) : WatchOutp
             };
             string name = TerminalText.Clean(avatar.AvatarName);
             string reduction = avatar.FrequencyReduction > 1 ? $" (1 of {avatar.FrequencyReduction} frames)" : string.Empty;
-            line.Append(CultureInfo.InvariantCulture, $"  {(uint)avatar.AvatarIndex} {name} {kind} {avatar.FrameRate:0.0} Hz{reduction} {avatar.Frames} frames{TimecodeOf(avatar)}");
+            line.Append(CultureInfo.InvariantCulture, $"  {(uint)avatar.AvatarIndex} {name} {kind} {avatar.FrameRate:0.0} Hz{reduction} {avatar.Frames} {Quantity.Noun(avatar.Frames, "frame")}{TimecodeOf(avatar)}");
         }
 
         string buffer = status.ReceiveBufferSize is { } size
             ? string.Create(CultureInfo.InvariantCulture, $" buffer {size} of {status.RequestedReceiveBufferSize} bytes")
             : string.Empty;
         return line
-            .Append(CultureInfo.InvariantCulture, $"  lost {statistics.Lost} dropped {statistics.Dropped} skipped {statistics.BytesSkipped} bytes{DescribeRejected(statistics, " ")}{buffer}")
+            .Append(CultureInfo.InvariantCulture, $"  lost {statistics.Lost} dropped {statistics.Dropped} skipped {statistics.BytesSkipped} {Quantity.Noun(statistics.BytesSkipped, "byte")}{DescribeRejected(statistics, " ")}{buffer}")
             .ToString();
     }
 

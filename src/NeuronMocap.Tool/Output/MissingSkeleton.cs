@@ -1,3 +1,5 @@
+using NeuronMocap.Tool.Terminal;
+
 namespace NeuronMocap.Tool.Output;
 
 /// <summary>Explains why frames arrive, but no skeleton can be shown.</summary>
@@ -11,7 +13,7 @@ internal static class MissingSkeleton
     {
         ({ } count, _) => (
             "Frames without a skeleton",
-            $"A frame has {count} values. A skeleton of 59 bones has 180, 186, 354 or 360. The option --json shows the values."),
+            $"A frame has {count} {Quantity.Noun(count, "value")}. A skeleton of 59 bones has 180, 186, 354 or 360. The option --json shows the values."),
         (null, true) => ("Calculation data only", "The skeleton needs BVH data. Switch BVH on for this port in the server's broadcasting settings."),
         _ => null,
     };

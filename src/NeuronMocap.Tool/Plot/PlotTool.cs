@@ -71,5 +71,5 @@ internal sealed class PlotTool(FileSettings settings, StandardStreams streams)
     }
 
     private static string Describe(string what, PointMotion motion) =>
-        what + Quantity.Format($"  ·  {motion.Duration:0.00} s  ·  {motion.FrameCount:#,0} frames at {motion.FrameRate:0.##} Hz");
+        what + Quantity.Format($"  ·  {motion.Duration:0.00} s  ·  {Quantity.Count(motion.FrameCount, "frame")} at {motion.FrameRate:0.##} Hz");
 }

@@ -153,11 +153,8 @@ internal sealed class SvgDrawing : IDisposable
         End();
     }
 
-    public void Dispose()
-    {
-        _xml.WriteEndDocument();
-        _xml.Dispose();
-    }
+    /// <summary>Completes the picture. After a failed write it writes nothing more, so the first exception reaches the caller.</summary>
+    public void Dispose() => _xml.Dispose();
 
     private void Begin(string element) => _xml.WriteStartElement(element, Namespace);
 

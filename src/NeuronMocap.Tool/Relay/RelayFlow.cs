@@ -40,10 +40,10 @@ internal sealed class RelayFlow(NeuronReader reader, string source, IReadOnlyLis
     {
         OutletFigures figures = outlet.GetFigures();
         string bytes = figures.Bytes is { } count ? $", {Quantity.Bytes(count)}" : string.Empty;
-        string failure = figures.Failure is { } reason ? $"; failed: {reason}" : string.Empty;
+        string failure = figures.Failure is { } reason ? $"; {DescribeFailure(reason)}" : string.Empty;
         string skipped = figures.Skipped is { } left ? Quantity.Format($", {left} left out by rate") : string.Empty;
         string note = figures is { Sent: 0, Note: { } unsent } ? $"; {unsent.Text}" : string.Empty;
-        return Quantity.Format($"{outlet.Name}: {figures.Sent} {outlet.Unit}, {figures.Dropped} dropped{skipped}{bytes}{failure}{note}");
+        return Quantity.Format($"{outlet.Name}: {figures.Sent} {Quantity.Noun(figures.Sent, outlet.Noun)}, {figures.Dropped} dropped{skipped}{bytes}{failure}{note}");
     }
 
     public string ToLine(DateTime now)
@@ -52,7 +52,7 @@ internal sealed class RelayFlow(NeuronReader reader, string source, IReadOnlyLis
         line.Append(CultureInfo.InvariantCulture, $"{now:HH:mm:ss} {source}: {DescribeSource()}, {_received.PerSecond:0.0} frames/s");
         foreach (Flow flow in _flows)
         {
-            string clients = flow.Figures.Clients is { } count ? $"{count} {(count == 1 ? "client" : "clients")}, " : string.Empty;
+            string clients = flow.Figures.Clients is { } count ? $"{count} {Quantity.Noun(count, "client")}, " : string.Empty;
             line.Append(
                 CultureInfo.InvariantCulture,
                 $"  {flow.Outlet.Name}: {flow.State}, {clients}{flow.PerSecond:0.0} {flow.Outlet.Unit}/s, {flow.Figures.Sent} sent, {flow.Figures.Dropped} dropped");
@@ -75,7 +75,7 @@ internal sealed class RelayFlow(NeuronReader reader, string source, IReadOnlyLis
             Cell(source, Palette.StrongStyle),
             Cell(string.Empty),
             Cell(Quantity.Fixed(_received.PerSecond, 1)),
-            Cell($"{Quantity.Count(TakeRecorder.CountFrames(statistics))} frames"),
+            Cell(Quantity.Count(TakeRecorder.CountFrames(statistics), "frame")),
             Cell(Quantity.Count(statistics.Lost)),
             Cell(DescribeSource(), new Style(Palette.Of(reader.Status.State))));
         foreach (Flow flow in _flows)
@@ -84,13 +84,16 @@ internal sealed class RelayFlow(NeuronReader reader, string source, IReadOnlyLis
                 Cell(flow.Outlet.Name),
                 Cell(flow.Figures.Clients is { } clients ? Quantity.Count(clients) : string.Empty),
                 Cell(Quantity.Fixed(flow.PerSecond, 1)),
-                Cell($"{Quantity.Count(flow.Figures.Sent)} {flow.Outlet.Unit}"),
+                Cell(Quantity.Count(flow.Figures.Sent, flow.Outlet.Noun)),
                 Cell(Quantity.Count(flow.Figures.Dropped), flow.Figures.Dropped > 0 ? Palette.WarningStyle : null),
                 Cell(flow.State, flow.IsHealthy ? null : Palette.WarningStyle));
         }
 
         return table;
     }
+
+    // A reason is a sentence, and a line goes on after it.
+    private static string DescribeFailure(string reason) => $"failed: {reason.TrimEnd('.')}";
 
     private static Text Cell(string text, Style? style = null) => new(TerminalText.Clean(text), style);
 
@@ -114,7 +117,7 @@ internal sealed class RelayFlow(NeuronReader reader, string source, IReadOnlyLis
 
         public string State => this switch
         {
-            { Figures.Failure: { } failure } => $"failed: {failure}",
+            { Figures.Failure: { } failure } => DescribeFailure(failure),
             { Figures.Note: { } note } => note.Text,
             { Code: Dropping } => "dropping: slow or not reachable",
             { Code: Waiting } => "waiting for clients",

@@ -90,7 +90,7 @@ internal sealed class SimulatorReport(
 
     private string Describe() => options.RecordingPath is not null ? description : string.Create(
         CultureInfo.InvariantCulture,
-        $"Broadcasting {description}: {Count(options.Sources.Count, "avatar")}, {DescribeFrameRate()}, {broadcaster.Layout.ValueCount} values, "
+        $"Broadcasting {description}: {Count(options.Sources.Count, "avatar")}, {DescribeFrameRate()}, {Count(broadcaster.Layout.ValueCount, "value")}, "
         + $"{options.RotationOrder}, {Format()}");
 
     private string Format() => options.Format switch
@@ -141,5 +141,5 @@ internal sealed class SimulatorReport(
     }
 
     private static string Count(long number, string noun, string? plural = null) =>
-        string.Create(CultureInfo.InvariantCulture, $"{number} {(number == 1 ? noun : plural ?? noun + "s")}");
+        string.Create(CultureInfo.InvariantCulture, $"{number} {Quantity.Noun(number, noun, plural)}");
 }

@@ -2,6 +2,7 @@ using NeuronMocap.Bvh;
 using NeuronMocap.Calculation;
 using NeuronMocap.Server;
 using NeuronMocap.Tool.Files;
+using NeuronMocap.Tool.Terminal;
 
 namespace NeuronMocap.Tool.Simulate;
 
@@ -51,7 +52,7 @@ internal static class SourceFactory
         BvhDocument document = BvhDocument.Load(file.FullName);
         BvhFile.RequireRows(document);
         var take = new BvhSource(document);
-        string repairs = document.RepairCount == 0 ? string.Empty : $", {document.RepairCount} repairs, first {document.Repairs[0]}";
+        string repairs = document.RepairCount == 0 ? string.Empty : $", {document.RepairCount} {Quantity.Noun(document.RepairCount, "repair")}, first {document.Repairs[0]}";
         return new SimulatorSources(Repeat(take, settings), take.RotationOrder, Describe(file, take) + repairs);
     }
 
@@ -59,7 +60,7 @@ internal static class SourceFactory
     {
         CalculationDocument document = CalculationDocument.Load(file.FullName);
         var take = new CalculationSource(document);
-        string repairs = document.RepairCount == 0 ? string.Empty : $", {document.RepairCount} repairs, first {document.Repairs[0]}";
+        string repairs = document.RepairCount == 0 ? string.Empty : $", {document.RepairCount} {Quantity.Noun(document.RepairCount, "repair")}, first {document.Repairs[0]}";
         string warnings = string.Concat(take.Skeleton.Warnings.Select(static warning => $" {warning}"));
         return new SimulatorSources(Repeat(take, settings), Order: null, Describe(file, take) + repairs + warnings)
         {
@@ -72,5 +73,5 @@ internal static class SourceFactory
         [.. Enumerable.Repeat(settings.Loop ? new LoopedSource(take) : take, settings.Avatars)];
 
     private static string Describe(FileInfo file, MotionSource take) =>
-        $"{file.Name}: {take.FrameCount} frames at {take.FrameRate:0.##} Hz";
+        $"{file.Name}: {take.FrameCount} {Quantity.Noun(take.FrameCount ?? 0, "frame")} at {take.FrameRate:0.##} Hz";
 }

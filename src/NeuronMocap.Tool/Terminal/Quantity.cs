@@ -38,6 +38,12 @@ internal static class Quantity
 
     public static string Count(long number) => Format($"{number:#,0}");
 
+    /// <summary>Formats a number and what it counts: "1 frame", "2,000 frames".</summary>
+    public static string Count(long number, string noun, string? plural = null) => $"{Count(number)} {Noun(number, noun, plural)}";
+
+    /// <summary>Gets the noun that follows a number: "frame" after 1, and "frames" after all others.</summary>
+    public static string Noun(long number, string noun, string? plural = null) => number == 1 ? noun : plural ?? noun + "s";
+
     public static string Fixed(double value, int decimals)
     {
         double rounded = Math.Round(value, decimals);

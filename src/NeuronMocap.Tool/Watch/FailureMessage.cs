@@ -1,4 +1,5 @@
 using NeuronMocap.Tool.Output;
+using NeuronMocap.Tool.Terminal;
 
 namespace NeuronMocap.Tool.Watch;
 
@@ -45,12 +46,12 @@ internal sealed class FailureMessage
             return $"{problem.Describe()} It holds no frames.";
 
         if (statistics.RejectedMessages > 0 && problem.Reason is ConnectionReason.None or ConnectionReason.NoData)
-            return $"{statistics.RejectedMessages} messages arrived that are not VMC, and no pose. Check that the other program sends VMC to this port.";
+            return $"{statistics.RejectedMessages} {Quantity.Noun(statistics.RejectedMessages, "message arrived that is", "messages arrived that are")} not VMC, and no pose. Check that the other program sends VMC to this port.";
 
         // The run ended before the reader's silence check could identify the bytes.
         if (statistics.BytesSkipped > 0 && problem.Reason == ConnectionReason.None)
         {
-            return $"{statistics.BytesSkipped} bytes arrived, but no packet of this protocol. Check the port, and that the server's "
+            return $"{statistics.BytesSkipped} {Quantity.Noun(statistics.BytesSkipped, "byte")} arrived, but no packet of this protocol. Check the port, and that the server's "
                 + "broadcasting format (block type) is Binary.";
         }
 

@@ -32,7 +32,7 @@ internal static class CommandMessages
         string what = (isIncomplete, skipped) switch
         {
             (true, _) => "The reply was not complete within",
-            (_, > 0) => $"{skipped} bytes came, but no reply, within",
+            (_, > 0) => $"{CountedNoun.Of(skipped, "byte")} came, but no reply, within",
             _ => "No reply came within",
         };
         string check = skipped > 0 ? WhichPort : WhichPort + " For a slow server, raise NeuronCommandOptions.Timeout.";
@@ -50,8 +50,8 @@ internal static class CommandMessages
     public static NeuronCommandException WrongSize(string target, int size, NeuronCommandOptions options) => new(
         CommandFailure.InvalidReply,
         size < 0
-            ? $"{target} announced a reply of {size} bytes."
-            : $"{target} announced a reply of {size} bytes; NeuronCommandOptions.MaxReplySize allows {options.MaxReplySize}.");
+            ? $"{target} announced a reply of {CountedNoun.Of(size, "byte")}."
+            : $"{target} announced a reply of {CountedNoun.Of(size, "byte")}; NeuronCommandOptions.MaxReplySize allows {options.MaxReplySize}.");
 
     public static NeuronCommandException WrongId(string target, CommandChannelId asked, int id) => new(
         CommandFailure.InvalidReply,

@@ -1,3 +1,5 @@
+using NeuronMocap.Protocol;
+
 namespace NeuronMocap.Diagnostics;
 
 // Judges the frame rate against the rates at which suits measure.
@@ -51,7 +53,7 @@ internal static class RateExamination
     private static ExplainedVerdict LowRate(AvatarSample avatar)
     {
         if (avatar.FrameRate <= 0)
-            return new ExplainedVerdict(DiagnosisVerdict.LowRate, $"Only {avatar.Frames} frames arrived during the diagnosis.", ServerSettings.FullRate);
+            return new ExplainedVerdict(DiagnosisVerdict.LowRate, $"Only {CountedNoun.Of(avatar.Frames, "frame")} arrived during the diagnosis.", ServerSettings.FullRate);
 
         string reason = avatar.Step > 1
             ? $"the server sends one frame in {avatar.Step}"
@@ -80,10 +82,10 @@ internal static class RateExamination
     private static string Describe(AvatarSample[] avatars, AvatarSample slowest)
     {
         if (slowest.FrameRate <= 0)
-            return $"{slowest.Frames} frames, too few to measure";
+            return $"{CountedNoun.Of(slowest.Frames, "frame")}, too few to measure";
 
         long lost = avatars.Sum(static avatar => avatar.Lost);
         double pause = avatars.Max(static avatar => avatar.LongestGap.TotalMilliseconds);
-        return FormattableString.Invariant($"{slowest.FrameRate:0.0} Hz, {(lost > 0 ? $"{lost} frames lost" : "none lost")}, longest pause {pause:0} ms");
+        return FormattableString.Invariant($"{slowest.FrameRate:0.0} Hz, {(lost > 0 ? $"{CountedNoun.Of(lost, "frame")} lost" : "none lost")}, longest pause {pause:0} ms");
     }
 }

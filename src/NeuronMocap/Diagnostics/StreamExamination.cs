@@ -1,3 +1,5 @@
+using NeuronMocap.Protocol;
+
 namespace NeuronMocap.Diagnostics;
 
 // Judges the received data: token, version, format, rate.
@@ -72,7 +74,7 @@ internal static class StreamExamination
                 ServerSettings.DataPort);
         }
 
-        log.Failed("format", $"{sample.Packets} packets without values");
+        log.Failed("format", $"{CountedNoun.Of(sample.Packets, "packet")} without values");
         return new Conclusion(
             DiagnosisVerdict.NoValues, $"Packets arrive on {endpoint}, but none of them contains a pose.", ServerSettings.Play);
     }
@@ -110,7 +112,7 @@ internal static class StreamExamination
         {
             verdicts.Add(new ExplainedVerdict(
                 DiagnosisVerdict.UnusualValueCount,
-                $"A frame of {StreamPhrases.NameOf(unusual)} has {unusual.ValueCount} values; the skeleton of 59 bones has "
+                $"A frame of {StreamPhrases.NameOf(unusual)} has {CountedNoun.Of(unusual.ValueCount, "value")}; the skeleton of 59 bones has "
                 + $"{UsualCounts(unusual.Kind)}.",
                 ServerSettings.Skeleton));
         }

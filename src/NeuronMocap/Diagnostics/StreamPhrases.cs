@@ -1,3 +1,5 @@
+using NeuronMocap.Protocol;
+
 namespace NeuronMocap.Diagnostics;
 
 // Describes a stream in words.
@@ -15,14 +17,14 @@ internal static class StreamPhrases
     }
 
     public static string DescribeFormat(AvatarSample avatar) => avatar.Kind == PacketKind.Motion
-        ? $"{avatar.ValueCount} values, displacement {OnOff(avatar.HasDisplacement)}, reference {OnOff(avatar.HasReference)}"
-        : $"{avatar.ValueCount} values";
+        ? $"{CountedNoun.Of(avatar.ValueCount, "value")}, displacement {OnOff(avatar.HasDisplacement)}, reference {OnOff(avatar.HasReference)}"
+        : $"{CountedNoun.Of(avatar.ValueCount, "value")}";
 
     public static string DescribeAvatars(AvatarSample[] avatars)
     {
         string names = string.Join(", ", avatars.Take(MaxNames).Select(NameOf));
         string more = avatars.Length > MaxNames ? $" and {avatars.Length - MaxNames} more" : string.Empty;
-        return $"{avatars.Length} {(avatars.Length == 1 ? "avatar" : "avatars")}: {names}{more}";
+        return $"{CountedNoun.Of(avatars.Length, "avatar")}: {names}{more}";
     }
 
     public static string NameOf(AvatarSample avatar) => $"{avatar.Index} {avatar.Name}".TrimEnd();

@@ -131,8 +131,8 @@ internal sealed class EventReporter(string name, IReaderStatistics figures, Acti
         if (Take(ReaderEventId.FramesLost, null, statistics.Lost - unsettled, now, force) is not { Count: > 0 } lost)
             return;
 
-        string gaps = Number(statistics.Gaps, "gap");
-        report(lost with { Message = Invariant($"{Number(lost.Count, "frame")} that the server sent did not arrive; {lost.Total} in all, in {gaps}.") });
+        string gaps = CountedNoun.Of(statistics.Gaps, "gap");
+        report(lost with { Message = Invariant($"{CountedNoun.Of(lost.Count, "frame")} that the server sent did not arrive; {lost.Total} in all, in {gaps}.") });
     }
 
     private void ReportDropped(long now, bool force)
@@ -148,7 +148,7 @@ internal sealed class EventReporter(string name, IReaderStatistics figures, Acti
             _droppedReported += dropped.Count;
             report(dropped with
             {
-                Message = Invariant($"The queue '{consumer.Name}' was full and dropped {Number(dropped.Count, "frame")}; {dropped.Total} in all. ")
+                Message = Invariant($"The queue '{consumer.Name}' was full and dropped {CountedNoun.Of(dropped.Count, "frame")}; {dropped.Total} in all. ")
                     + "Pump it more often, or give it a larger capacity.",
             });
         }
@@ -159,7 +159,7 @@ internal sealed class EventReporter(string name, IReaderStatistics figures, Acti
         foreach ((SkipReason reason, string subject) in SkipReasons)
         {
             if (Take(ReaderEventId.BytesSkipped, subject, figures.GetSkipped(reason), now, force) is { Count: > 0 } skipped)
-                report(skipped with { Message = Invariant($"{Number(skipped.Count, "byte")} outside packets ({Describe(reason)}); {skipped.Total} in all.") });
+                report(skipped with { Message = Invariant($"{CountedNoun.Of(skipped.Count, "byte")} outside packets ({Describe(reason)}); {skipped.Total} in all.") });
         }
     }
 
@@ -173,7 +173,7 @@ internal sealed class EventReporter(string name, IReaderStatistics figures, Acti
         {
             Level = ReaderEventLevel.Error,
             Exception = failure,
-            Message = Invariant($"Handlers threw {Number(failed.Count, "exception")}, {failed.Total} in all; the newest: {failure?.Message}"),
+            Message = Invariant($"Handlers threw {CountedNoun.Of(failed.Count, "exception")}, {failed.Total} in all; the newest: {failure?.Message}"),
         });
     }
 
@@ -229,8 +229,6 @@ internal sealed class EventReporter(string name, IReaderStatistics figures, Acti
         SkipReason.MissingAvatar => "lines of text without the avatar's number and name",
         _ => "no tokens of a packet",
     };
-
-    private static string Number(long count, string noun) => count == 1 ? $"1 {noun}" : Invariant($"{count} {noun}s");
 
     private sealed record OutputIds(ReaderEventId Started, ReaderEventId Stopped, ReaderEventId Incomplete, ReaderEventId Failed)
     {

@@ -69,9 +69,9 @@ public sealed class BvhInfoTests : InfoPages
         Folder.Write("joints.bvh", Takes.TwoJoints);
         string[] page = await PageAsync("joints.bvh");
 
-        Assert.Equal("2, 1 End Sites, 2 deep, from base", Fact(page, "joints"));
+        Assert.Equal("2, 1 End Site, 2 deep, from base", Fact(page, "joints"));
         Assert.Contains("Hips", Fact(page, "not Neuron's"), StringComparison.Ordinal);
-        Assert.Equal("ZYX (1 joints), X (1 joints)", Fact(page, "rotation order"));
+        Assert.Equal("ZYX (1 joint), X (1 joint)", Fact(page, "rotation order"));
         Assert.StartsWith("2.00 by 0.00 units of the file", Fact(page, "extent"), StringComparison.Ordinal);
     }
 

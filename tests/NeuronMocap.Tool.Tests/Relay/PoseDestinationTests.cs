@@ -114,7 +114,7 @@ public sealed class PoseDestinationTests : IDisposable
     public async Task Poses_that_a_rate_leaves_out_are_in_the_summary()
     {
         ToolResult result = await RelayAsync($"vmc://{_receiver.LocalEndPoint}/Bob", "--pose-rate", "0.01");
-        Assert.Contains(result.Output, static line => line.Contains(": 1 poses, 0 dropped, 14 left out by rate, ", StringComparison.Ordinal));
+        Assert.Contains(result.Output, static line => line.Contains(": 1 pose, 0 dropped, 14 left out by rate, ", StringComparison.Ordinal));
     }
 
     [Theory]

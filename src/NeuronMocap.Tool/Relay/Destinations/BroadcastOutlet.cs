@@ -21,7 +21,7 @@ internal sealed class BroadcastOutlet : Outlet
 
     public override string Announcement => _isListening ? $"Listening on {_broadcaster.LocalEndPoint}" : $"Sending to {Name}";
 
-    public override string Unit => "packets";
+    public override string Noun => "packet";
 
     /// <summary>Starts to send.</summary>
     /// <param name="reader">The reader.</param>

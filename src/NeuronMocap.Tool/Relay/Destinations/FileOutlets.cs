@@ -16,7 +16,7 @@ internal sealed class RecordingOutlet(TakeRecorder takes, string file) : Outlet
 
     public override string Announcement => $"Recording to {file}";
 
-    public override string Unit => "pieces";
+    public override string Noun => "piece";
 
     public override OutletFigures GetFigures()
     {
@@ -42,7 +42,7 @@ internal sealed class BvhOutlet(ExportRun run, string file) : Outlet
 
     public override string Announcement => $"Exporting to {file}";
 
-    public override string Unit => "frames";
+    public override string Noun => "frame";
 
     public override OutletFigures GetFigures() => new(_export.FramesWritten, _export.FramesDropped)
     {

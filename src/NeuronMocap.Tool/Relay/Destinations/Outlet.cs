@@ -37,8 +37,11 @@ internal abstract class Outlet : IAsyncDisposable
     /// <summary>The line that announces it to the user and to scripts.</summary>
     public abstract string Announcement { get; }
 
+    /// <summary>Word for one of what is counted.</summary>
+    public abstract string Noun { get; }
+
     /// <summary>Plural word for what is counted.</summary>
-    public abstract string Unit { get; }
+    public string Unit => Noun + "s";
 
     public abstract OutletFigures GetFigures();
 

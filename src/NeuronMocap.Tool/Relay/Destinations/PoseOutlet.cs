@@ -18,7 +18,7 @@ internal sealed class PoseOutlet(PoseSender sender, NeuronReader reader, string 
 
     public override string Announcement => $"Sending poses to {name}";
 
-    public override string Unit => "poses";
+    public override string Noun => "pose";
 
     // One thread at a time asks.
     public override OutletFigures GetFigures()

@@ -13,7 +13,7 @@ internal sealed class RabbitMqOutlet(RabbitMqPublisher publisher, string name, b
 
     public override string Announcement => $"Publishing to {name}";
 
-    public override string Unit => "packets";
+    public override string Noun => "packet";
 
     // A stream has what the broker has confirmed.
     public override OutletFigures GetFigures()
@@ -36,7 +36,7 @@ internal sealed class RabbitMqOutlet(RabbitMqPublisher publisher, string name, b
         if (!isKept || missing == 0)
             return true;
 
-        await streams.ComplainAsync(Quantity.Format($"{name}: the stream lacks {missing} packets. The broker was away or too slow for too long."));
+        await streams.ComplainAsync(Quantity.Format($"{name}: the stream lacks {missing} {Quantity.Noun(missing, "packet")}. The broker was away or too slow for too long."));
         return false;
     }
 

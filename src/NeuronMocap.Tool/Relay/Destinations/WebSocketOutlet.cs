@@ -23,7 +23,7 @@ internal sealed class WebSocketOutlet : Outlet
 
     public override string Announcement { get; }
 
-    public override string Unit => "frames";
+    public override string Noun => "frame";
 
     /// <summary>Starts to listen.</summary>
     /// <param name="reader">The reader.</param>

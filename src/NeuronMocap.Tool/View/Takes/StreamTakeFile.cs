@@ -114,7 +114,7 @@ internal sealed class StreamTakeFile(string path, RotationOrder? order, TakeRead
             lost += entry.Kind == RecordingEntryKind.BytesLost ? entry.LostBytes : 0;
 
         foreach (RecordingProblem problem in reader.Problems)
-            reading.AddProblem(Quantity.Format($"At byte {problem.Offset:#,0}, {problem.Length:#,0} bytes: {problem.Description.TrimEnd('.')}."));
+            reading.AddProblem(Quantity.Format($"At byte {problem.Offset:#,0}, {Quantity.Count(problem.Length, "byte")}: {problem.Description.TrimEnd('.')}."));
         if (!reader.IsComplete)
             reading.AddProblem("The recording was not closed: its last part may be missing.");
         if (lost > 0)

@@ -1,5 +1,6 @@
 using NeuronMocap.Skeleton;
 using NeuronMocap.Tool.Files;
+using NeuronMocap.Tool.Terminal;
 using NeuronMocap.Tool.View.Performers;
 
 namespace NeuronMocap.Tool.View.Takes;
@@ -119,10 +120,8 @@ internal sealed class TakeReading(Take take, string folder, TakeRoom? room = nul
     {
         string name = _writers.Count > 1 ? $" of {writer.Performer.Name}" : "";
         if (writer.LeftOut > 0)
-            take.AddProblem($"{Frames(writer.LeftOut)}{name} left out: values that are not numbers.");
+            take.AddProblem($"{Quantity.Count(writer.LeftOut, "frame")}{name} left out: values that are not numbers.");
         if (writer.Late > 0)
-            take.AddProblem($"{Frames(writer.Late)}{name} left out: received twice, or after a later frame.");
+            take.AddProblem($"{Quantity.Count(writer.Late, "frame")}{name} left out: received twice, or after a later frame.");
     }
-
-    private static string Frames(long count) => Terminal.Quantity.Format($"{count:#,0} frame{(count == 1 ? "" : "s")}");
 }

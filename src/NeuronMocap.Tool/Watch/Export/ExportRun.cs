@@ -49,7 +49,7 @@ internal sealed class ExportRun : IDisposable
             streams.Complain("no motion frame arrived, so no file was written.");
         if (_export.FramesDropped is > 0 and var missing)
         {
-            string frames = missing == 1 ? "1 frame" : string.Create(CultureInfo.InvariantCulture, $"{missing} frames");
+            string frames = string.Create(CultureInfo.InvariantCulture, $"{missing} {Quantity.Noun(missing, "frame")}");
             streams.Complain(_export.Failure is null
                 ? $"the export lacks {frames}: the disk was too slow."
                 : $"{frames} could not be written; later frames were not exported.");
@@ -80,10 +80,10 @@ internal sealed class ExportRun : IDisposable
             BvhBodyOrigin.Dimensions => "bone lengths from the sizes of the command channel",
             _ => "lengths of the bones of the default body",
         };
-        string repeated = file.RepeatedFrames == 0 ? "" : $" {file.RepeatedFrames} of them replace lost frames;";
+        string repeated = file.RepeatedFrames == 0 ? "" : $" {file.RepeatedFrames} of them {Quantity.Noun(file.RepeatedFrames, "replaces a lost frame", "replace lost frames")};";
         string late = file.LateFrames == 0 ? "" : $" {file.LateFrames} more came too late;";
         return string.Create(
             CultureInfo.InvariantCulture,
-            $"{file.FrameCount} frames of {TerminalText.Clean(file.AvatarName)} at {file.FrameRate:0.##} Hz in {TerminalText.Clean(file.Path)};{repeated}{late} {body}.");
+            $"{file.FrameCount} {Quantity.Noun(file.FrameCount, "frame")} of {TerminalText.Clean(file.AvatarName)} at {file.FrameRate:0.##} Hz in {TerminalText.Clean(file.Path)};{repeated}{late} {body}.");
     }
 }

@@ -67,7 +67,7 @@ internal static class AvatarTable
             [
                 new Piece($"dropped {Quantity.Count(total.Dropped)}", total.Dropped > 0 ? Palette.WarningStyle : Palette.DimStyle),
                 new Piece($"skipped {Quantity.Bytes(total.BytesSkipped)}", total.BytesSkipped > 0 ? Palette.WarningStyle : Palette.DimStyle),
-                .. total.RejectedMessages > 0 ? [new Piece(Quantity.Format($"rejected {total.RejectedMessages:#,0} messages"), Palette.WarningStyle)] : Array.Empty<Piece>(),
+                .. total.RejectedMessages > 0 ? [new Piece($"rejected {Quantity.Count(total.RejectedMessages, "message")}", Palette.WarningStyle)] : Array.Empty<Piece>(),
                 new Piece($"{Quantity.Bytes(state.BytesPerSecond)}/s"),
             ],
             [

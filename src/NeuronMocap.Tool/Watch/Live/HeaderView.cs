@@ -43,7 +43,7 @@ internal static class HeaderView
         List<Piece> pieces =
         [
             new Piece("stream ", Palette.DimStyle).Add(version),
-            new Piece($"{header.ValueCount} values"),
+            new Piece($"{header.ValueCount} {Quantity.Noun(header.ValueCount, "value")}"),
             new Piece($"displacement {OnOff(header.HasDisplacement)}", Palette.DimStyle),
             new Piece($"reference {OnOff(header.HasReference)}", Palette.DimStyle),
             new Piece(DescribeOrder(state, pose), Palette.DimStyle),
@@ -100,7 +100,7 @@ internal static class HeaderView
 
         RecordingStatistics statistics = take.Recorder.GetStatistics();
         yield return new Piece(
-            Quantity.Format($"● REC {Quantity.Duration(statistics.Duration)}, {take.CountFrames(takes.FramesArrived):#,0} frames, {Quantity.Bytes(statistics.Bytes)}"),
+            Quantity.Format($"● REC {Quantity.Duration(statistics.Duration)}, {Quantity.Count(take.CountFrames(takes.FramesArrived), "frame")}, {Quantity.Bytes(statistics.Bytes)}"),
             RecordingStyle);
         yield return new Piece($"to {take.Recorder.CurrentPath}", Palette.DimStyle);
         if (statistics.LostBytes > 0)

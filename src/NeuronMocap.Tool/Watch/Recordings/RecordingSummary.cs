@@ -18,9 +18,9 @@ internal static class RecordingSummary
         string files = statistics.Files == 1 ? path : Quantity.Format($"{statistics.Files} files, the last one {path}");
 
         // If a file could not be written to its end, only the file itself knows the number of its frames.
-        string frames = recorder.Failure is null ? Quantity.Format($"{take.CountFrames(arrived):#,0} frames, ") : string.Empty;
+        string frames = recorder.Failure is null ? $"{Quantity.Count(take.CountFrames(arrived), "frame")}, " : string.Empty;
         string text = Quantity.Format(
-            $"recorded {statistics.Duration.TotalSeconds:0.0} s, {frames}{statistics.Bytes:#,0} bytes in {statistics.Pieces:#,0} pieces, to {files}; lost {statistics.LostPieces:#,0} pieces");
+            $"recorded {statistics.Duration.TotalSeconds:0.0} s, {frames}{Quantity.Count(statistics.Bytes, "byte")} in {Quantity.Count(statistics.Pieces, "piece")}, to {files}; lost {Quantity.Count(statistics.LostPieces, "piece")}");
         return recorder.Failure is { } failure ? $"{text}; the recording ended early: {FileFault.OfWriting(failure, recorder.CurrentPath)}"
             : recorder.Completion.IsCompleted ? text + "."
             : text + "; the disk does not take the rest.";

@@ -100,6 +100,6 @@ internal sealed class TakeRecorder(NeuronReader reader, RecordingSettings? setti
     {
         RecordingStatistics statistics = take.Recorder.GetStatistics();
         return Quantity.Format(
-            $"Recorded {Quantity.Duration(statistics.Duration)}, {take.CountFrames(arrived):#,0} frames, {Quantity.Bytes(statistics.Bytes)} to {TerminalText.Clean(take.Recorder.CurrentPath)}.");
+            $"Recorded {Quantity.Duration(statistics.Duration)}, {Quantity.Count(take.CountFrames(arrived), "frame")}, {Quantity.Bytes(statistics.Bytes)} to {TerminalText.Clean(take.Recorder.CurrentPath)}.");
     }
 }

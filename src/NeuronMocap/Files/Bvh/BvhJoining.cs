@@ -1,3 +1,5 @@
+using NeuronMocap.Protocol;
+
 namespace NeuronMocap.Bvh;
 
 // Joins takes, one after the other.
@@ -35,7 +37,7 @@ internal static class BvhJoining
     private static string? FindDifference(BvhDocument first, BvhDocument next)
     {
         if (next.Joints.Count != first.Joints.Count)
-            return $"it has {next.Joints.Count} joints instead of {first.Joints.Count}.";
+            return $"it has {CountedNoun.Of(next.Joints.Count, "joint")} instead of {first.Joints.Count}.";
 
         for (int i = 0; i < first.Joints.Count; i++)
         {

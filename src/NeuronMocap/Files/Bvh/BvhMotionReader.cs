@@ -168,7 +168,7 @@ internal sealed class BvhMotionReader(int channelCount, BvhRepairLog repairs, Bv
         if (_frames == default)
             repairs.Add(_block, $"The number of frames is missing", $"rows found: {_blockRows}");
         else if (_announced != _blockRows)
-            repairs.Add(_frames, $"The file declares {_announcedText} frames but has {_blockRows} {(_blockRows == 1 ? "row" : "rows")}", $"all rows are read");
+            repairs.Add(_frames, $"The file declares {_announcedText} {CountedNoun.Word(_announced, "frame", "frames")} but has {_blockRows} {CountedNoun.Word(_blockRows, "row", "rows")}", $"all rows are read");
     }
 
     private void ReadFrames(ref BvhText text, BvhTextPosition place)
@@ -277,7 +277,7 @@ internal sealed class BvhMotionReader(int channelCount, BvhRepairLog repairs, Bv
 
         _isInLongLine = false;
         if (count > 0)
-            repairs.AddLeftOut(start, $"A row has {count} values instead of {channelCount}", $"it is skipped");
+            repairs.AddLeftOut(start, $"A row has {count} {CountedNoun.Word(count, "value", "values")} instead of {channelCount}", $"it is skipped");
         if (!text.IsAtLineEnd())
             ReportNoNumber(ref text);
 

@@ -1,3 +1,5 @@
+using NeuronMocap.Protocol;
+
 namespace NeuronMocap.Bvh;
 
 // Holds the values of lines that are not exactly one row, until their meaning is known and their rows are taken.
@@ -61,7 +63,7 @@ internal sealed class BvhPendingRows(int channelCount, BvhRepairLog repairs)
         if (_end % channelCount == 0)
         {
             if (isJoined || _end > channelCount)
-                repairs.Add(_openPlace, $"The values from here to line {lastLine} make {_end / channelCount} rows", $"they are read as such");
+                repairs.Add(_openPlace, $"The values from here to line {lastLine} make {_end / channelCount} {CountedNoun.Word(_end / channelCount, "row", "rows")}", $"they are read as such");
 
             _whole = _end;
         }
@@ -72,7 +74,7 @@ internal sealed class BvhPendingRows(int channelCount, BvhRepairLog repairs)
         }
         else
         {
-            repairs.Add(_linePlace, $"A row has {_end} values instead of {channelCount}", $"the first {channelCount} are read");
+            repairs.Add(_linePlace, $"A row has {_end} {CountedNoun.Word(_end, "value", "values")} instead of {channelCount}", $"the first {channelCount} are read");
             _whole = channelCount;
             _end = channelCount;
         }
@@ -97,7 +99,7 @@ internal sealed class BvhPendingRows(int channelCount, BvhRepairLog repairs)
     public void LeaveOut()
     {
         if (IsAnyOpen)
-            repairs.AddLeftOut(_openPlace, $"A row has {_end} values instead of {channelCount}", $"it is skipped");
+            repairs.AddLeftOut(_openPlace, $"A row has {_end} {CountedNoun.Word(_end, "value", "values")} instead of {channelCount}", $"it is skipped");
 
         Clear();
     }
@@ -106,7 +108,7 @@ internal sealed class BvhPendingRows(int channelCount, BvhRepairLog repairs)
     {
         int older = _line;
         if (older > 0)
-            repairs.AddLeftOut(_openPlace, $"A row has {older} values instead of {channelCount}", $"it is skipped");
+            repairs.AddLeftOut(_openPlace, $"A row has {older} {CountedNoun.Word(older, "value", "values")} instead of {channelCount}", $"it is skipped");
 
         _values.AsSpan(older, _end - older).CopyTo(_values);
         _end -= older;

@@ -1,5 +1,6 @@
 using System.Numerics;
 using System.Text;
+using NeuronMocap.Protocol;
 
 namespace NeuronMocap.Calculation;
 
@@ -209,7 +210,7 @@ public sealed class CalculationFileReader : IDisposable
         }
 
         if (row.Count > ValueCount)
-            _repairs.Add(_lines.Number, 1, $"A row has {row.Count} values instead of {ValueCount}", $"the first {ValueCount} are read");
+            _repairs.Add(_lines.Number, 1, $"A row has {row.Count} {CountedNoun.Word(row.Count, "value", "values")} instead of {ValueCount}", $"the first {ValueCount} are read");
         if (row.NotFiniteColumn > 0)
             _repairs.Add(_lines.Number, row.NotFiniteColumn, "A value is not finite", "it is kept");
 
@@ -228,9 +229,9 @@ public sealed class CalculationFileReader : IDisposable
         if (!row.WrongWord.IsEmpty)
             _repairs.Add(_lines.Number, row.Column, $"{Quote(row.WrongWord)} is not a number", "the line is skipped", isLeftOut: true);
         else if (!_lines.HasEnd)
-            _repairs.Add(_lines.Number, row.Column, $"The file ends after {row.Count} values of a row", "the row is skipped", isLeftOut: true);
+            _repairs.Add(_lines.Number, row.Column, $"The file ends after {row.Count} {CountedNoun.Word(row.Count, "value", "values")} of a row", "the row is skipped", isLeftOut: true);
         else
-            _repairs.Add(_lines.Number, 1, $"A row has {row.Count} values instead of {expected}", "it is skipped", isLeftOut: true);
+            _repairs.Add(_lines.Number, 1, $"A row has {row.Count} {CountedNoun.Word(row.Count, "value", "values")} instead of {expected}", "it is skipped", isLeftOut: true);
     }
 
     private void NoteEnd(ReadOnlySpan<byte> end)

@@ -4,7 +4,7 @@ namespace NeuronMocap.Gltf;
 
 // Holds the keys until the file is written: a GLB file begins with the numbers of keys, and has all keys of a bone in one place. Small animations
 // stay in memory, large ones are in a temporary file.
-internal sealed class KeySpool(long limit = KeySpool.LargestFile, int memory = KeySpool.DefaultMemory) : IDisposable
+internal sealed class KeySpool(long limit = KeySpool.LargestFile, int memory = KeySpool.DefaultMemory, Func<Stream>? createFile = null) : IDisposable
 {
     // The length of a GLB file is a 32-bit number. Some MB are left for the JSON text.
     private const long LargestFile = uint.MaxValue - (32L << 20);
@@ -19,7 +19,7 @@ internal sealed class KeySpool(long limit = KeySpool.LargestFile, int memory = K
     // Size of everything that the file may hold, in bytes.
     public long Promised { get; set; }
 
-    public bool IsFile => _stream is FileStream;
+    public bool IsFile => _stream is not MemoryStream;
 
     public void RequireRoom()
     {
@@ -33,36 +33,88 @@ internal sealed class KeySpool(long limit = KeySpool.LargestFile, int memory = K
     // Returns the place of the bytes.
     public long Append(byte[] bytes, int count)
     {
-        if (!IsFile && _stream.Length + count > memory)
-            MoveToFile();
+        try
+        {
+            if (!IsFile && _stream.Length + count > memory)
+                MoveToFile();
 
-        long place = _stream.Seek(0, SeekOrigin.End);
-        _stream.Write(bytes, 0, count);
-        return place;
+            long place = _stream.Seek(0, SeekOrigin.End);
+            _stream.Write(bytes, 0, count);
+            return place;
+        }
+        catch (Exception exception) when (IsOfDisk(exception))
+        {
+            throw FolderFault(exception);
+        }
     }
 
     public void Read(long place, byte[] bytes, int count)
     {
-        _stream.Position = place;
-        for (int done = 0; done < count;)
+        try
         {
-            int read = _stream.Read(bytes, done, count - done);
-            if (read == 0)
-                throw new EndOfStreamException("The temporary file of the keys was shortened.");
+            _stream.Position = place;
+            for (int done = 0; done < count;)
+            {
+                int read = _stream.Read(bytes, done, count - done);
+                if (read == 0)
+                    throw new EndOfStreamException("The temporary file of the keys was shortened.");
 
-            done += read;
+                done += read;
+            }
+        }
+        catch (Exception exception) when (IsOfDisk(exception))
+        {
+            throw FolderFault(exception);
         }
     }
 
-    public void Dispose() => _stream.Dispose();
+    public void Dispose() => Discard(_stream);
 
-    // The system creates the file so that no other user can read it.
+    // The keys stay in memory if the file cannot hold them.
     private void MoveToFile()
     {
-        var file = new FileStream(Path.GetTempFileName(), FileMode.Open, FileAccess.ReadWrite, FileShare.None, FileBuffer, FileOptions.DeleteOnClose);
-        _stream.Position = 0;
-        _stream.CopyTo(file);
+        Stream file = createFile is null ? CreateFile() : createFile();
+        try
+        {
+            _stream.Position = 0;
+            _stream.CopyTo(file);
+        }
+        catch
+        {
+            Discard(file);
+            throw;
+        }
+
         _stream.Dispose();
         _stream = file;
+    }
+
+    // The system creates the file so that no other user can read it.
+    private static FileStream CreateFile() =>
+        new(Path.GetTempFileName(), FileMode.Open, FileAccess.ReadWrite, FileShare.None, FileBuffer, FileOptions.DeleteOnClose);
+
+    // On a full disk, closing fails to write the rest of the buffer, which nobody needs. The file is deleted nevertheless.
+    private static void Discard(Stream stream)
+    {
+        try
+        {
+            stream.Dispose();
+        }
+        catch (Exception exception) when (IsOfDisk(exception))
+        {
+        }
+    }
+
+    // A file that is too large for its disk is an argument out of range.
+    private static bool IsOfDisk(Exception exception) =>
+        exception is (IOException and not EndOfStreamException) or UnauthorizedAccessException or ArgumentOutOfRangeException;
+
+    private static IOException FolderFault(Exception exception)
+    {
+        string variable = OperatingSystem.IsWindows() ? "TMP" : "TMPDIR";
+        return new IOException(
+            $"The folder for temporary files, '{Path.GetTempPath()}', cannot be used: it does not exist, its disk is full, or this user may not write there. "
+            + $"Set {variable} to another folder.",
+            exception);
     }
 }

@@ -165,7 +165,7 @@ public sealed class StreamRecorder : IStreamListener, IFileOutput, IDisposable, 
     string IFileOutput.DescribeLoss(long count)
     {
         RecordingStatistics statistics = GetStatistics();
-        return Invariant($"The recording lost {Number(count, "piece")} because {Path} could not be written fast enough; {statistics.LostPieces} in total, {Number(statistics.LostBytes, "byte")}.");
+        return Invariant($"The recording lost {CountedNoun.Of(count, "piece")} because {Path} could not be written fast enough; {statistics.LostPieces} in total, {CountedNoun.Of(statistics.LostBytes, "byte")}.");
     }
 
     string IFileOutput.DescribeUndeleted() =>
@@ -175,8 +175,8 @@ public sealed class StreamRecorder : IStreamListener, IFileOutput, IDisposable, 
     {
         RecordingStatistics statistics = GetStatistics();
         return _failure is { } failure
-            ? Invariant($"The recording to {CurrentPath} failed: {failure.Message.TrimEnd('.')}. It holds {Number(statistics.Bytes, "byte")}; {Number(statistics.LostPieces, "piece")} could not be written.")
-            : Invariant($"Recorded {Number(statistics.Bytes, "byte")} in {statistics.Duration.TotalSeconds:0.0} s to {CurrentPath}.");
+            ? Invariant($"The recording to {CurrentPath} failed: {failure.Message.TrimEnd('.')}. It holds {CountedNoun.Of(statistics.Bytes, "byte")}; {CountedNoun.Of(statistics.LostPieces, "piece")} could not be written.")
+            : Invariant($"Recorded {CountedNoun.Of(statistics.Bytes, "byte")} in {statistics.Duration.TotalSeconds:0.0} s to {CurrentPath}.");
     }
 
     internal void SetMetadata(string key, string value) => _thread.SetMetadata(key, value);
@@ -224,8 +224,6 @@ public sealed class StreamRecorder : IStreamListener, IFileOutput, IDisposable, 
 
         return null;
     }
-
-    private static string Number(long count, string noun) => count == 1 ? $"1 {noun}" : Invariant($"{count} {noun}s");
 
     private void Run()
     {

@@ -1,4 +1,5 @@
 using NeuronMocap.Files;
+using NeuronMocap.Protocol;
 using NeuronMocap.Transport;
 using static System.FormattableString;
 
@@ -117,21 +118,19 @@ public sealed class BvhExport : IFileOutput, IDisposable, IAsyncDisposable
     string IFileOutput.DescribeStart() => $"Exporting BVH to {Path}.";
 
     string IFileOutput.DescribeLoss(long count) =>
-        Invariant($"The export to {Path} dropped {Number(count, "frame")} because the disk is too slow; {FramesDropped} in total.");
+        Invariant($"The export to {Path} dropped {CountedNoun.Of(count, "frame")} because the disk is too slow; {FramesDropped} in total.");
 
     string IFileOutput.DescribeUndeleted() => string.Empty;
 
     string IFileOutput.DescribeEnd() => Failure is { } failure
-        ? Invariant($"The export to {Path} failed: {failure.Message.TrimEnd('.')}. It holds {Number(FramesWritten, "frame")}; {Number(FramesDropped, "frame")} could not be written.")
-        : Invariant($"Exported {Number(FramesWritten, "frame")} to {(Files is [var only] ? only.Path : Invariant($"{Files.Count} files, named after {Path}"))}.");
+        ? Invariant($"The export to {Path} failed: {failure.Message.TrimEnd('.')}. It holds {CountedNoun.Of(FramesWritten, "frame")}; {CountedNoun.Of(FramesDropped, "frame")} could not be written.")
+        : Invariant($"Exported {CountedNoun.Of(FramesWritten, "frame")} to {(Files is [var only] ? only.Path : Invariant($"{Files.Count} files, named after {Path}"))}.");
 
     private void Stop()
     {
         _queue.CompleteAdding();
         _stop.Set();
     }
-
-    private static string Number(long count, string noun) => count == 1 ? $"1 {noun}" : Invariant($"{count} {noun}s");
 
     private void Run()
     {
