@@ -36,7 +36,7 @@ export class Panel {
     this._overlay = new Overlay(page.slots.stage);
     this._stream = new StreamSection(page.slots.stream);
     this._performers = new PerformerSection(page.slots.performers, page.performers, views);
-    createToolbar(page.slots.stage, settings, views, page.keys);
+    createToolbar(page.slots.tools, settings, views, page.keys);
     this.hud = new Hud(page.slots.stage, page.loop, page.feed);
     const recorder = new Recorder(page, takes, page.slots.stream);
     const zeroOut = new ZeroOut(page);
