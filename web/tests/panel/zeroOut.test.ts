@@ -1,0 +1,36 @@
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import type { Status } from "../../src/live/messages";
+import type { Page } from "../../src/page/page";
+import { isConnected } from "../../src/panel/situation";
+import { ZeroOut } from "../../src/panel/zeroOut";
+import { setElements } from "../elements";
+
+function status(state: string): Status {
+  return { state, words: "", advice: "", address: "", performers: [], bytesPerSecond: 0, reconnects: 0 };
+}
+
+test("a source is zeroed out only while it is connected and takes commands", () => {
+  setElements();
+  const page = { keys: { add: () => {} } };
+  const zeroOut = new ZeroOut(page as unknown as Page);
+  const { button } = zeroOut;
+  assert.ok(button.disabled);
+  for (const state of ["connected", "receiving", "silent"]) {
+    zeroOut.allow(true, isConnected(status(state)));
+    assert.ok(!button.disabled, state);
+    assert.match(button.title, /\(z\)$/);
+  }
+
+  for (const state of ["created", "connecting", "waiting", "stopped"]) {
+    zeroOut.allow(true, isConnected(status(state)));
+    assert.ok(button.disabled, state);
+    assert.equal(button.title, "The source is not connected.");
+  }
+
+  zeroOut.allow(true, isConnected(null));
+  assert.ok(button.disabled);
+  zeroOut.allow(false, true);
+  assert.ok(button.disabled);
+  assert.equal(button.title, "This source takes no commands.");
+});
