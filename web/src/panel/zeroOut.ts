@@ -11,7 +11,7 @@ export class ZeroOut {
 
   constructor(page: Page) {
     this.button = wordButton("zero", "Zero out", () => void zeroOut());
-    page.keys.add({ key: "z", does: "Zero out, after a question", group: "Stream", isUseful: () => !this.button.disabled, run: () => this.button.click() });
+    page.keys.add({ key: "z", does: "Zero out (asks first)", group: "Stream", isUseful: () => !this.button.disabled, run: () => this.button.click() });
     this.allow(false, false);
 
     async function zeroOut(): Promise<void> {
