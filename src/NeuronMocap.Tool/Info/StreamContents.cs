@@ -141,7 +141,7 @@ internal sealed class StreamContents
             ["longestIntervalSeconds"] = hasTimes && frames is not null ? Math.Round(frames.LongestInterval.TotalSeconds, 7) : null,
             ["lost"] = avatar.Lost,
             ["gaps"] = avatar.Gaps,
-            ["disordered"] = avatar.OutOfOrder,
+            ["outOfOrder"] = avatar.OutOfOrder,
             ["restarts"] = avatar.Restarts,
             ["frequencyReduction"] = avatar.FrequencyReduction,
         });

@@ -41,6 +41,7 @@ public sealed class RecordingInfoTests : InfoPages
         JsonElement json = await JsonAsync("two.nmrec");
         Assert.Equal(5, json.GetProperty("stream").GetProperty("skippedBytes").GetProperty("noTokens").GetInt64());
         Assert.Equal(2, json.GetProperty("avatars").GetArrayLength());
+        Assert.Equal(0, json.GetProperty("avatars")[0].GetProperty("outOfOrder").GetInt64());
         Assert.Equal(60, json.GetProperty("take").GetProperty("frameRate").GetDouble());
     }
 

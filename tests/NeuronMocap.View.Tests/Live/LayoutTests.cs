@@ -84,4 +84,33 @@ public sealed class LayoutTests(SharedBrowser browser, CharacterSamples samples)
             """);
         page.AssertClean();
     }
+
+    [Theory]
+    [InlineData(390, 844)]
+    [InlineData(320, 568)]
+    public async Task On_a_phone_the_tools_are_below_the_stage_and_the_choices_of_a_plot_have_a_margin(int width, int height)
+    {
+        await using RunningView view = await RunningView.StartAsync(Walk);
+        await using TestPage page = await TestPage.OpenAsync(browser, view.Link, width, height);
+        await page.UntilMovingAsync();
+        await page.Page.Keyboard.PressAsync("v");
+        await page.Page.Locator(".time-plot").WaitForAsync();
+        await page.UntilAsync("""
+            () => {
+              const place = name => document.querySelector(name).getBoundingClientRect();
+              const [stage, canvas, timeline] = [place(".stage"), place(".stage > canvas"), place(".timeline")];
+              const tools = [...document.querySelectorAll(".toolbar button")].map(each => each.getBoundingClientRect());
+              return stage.height > 100 && Math.abs(canvas.bottom - stage.bottom) < 1
+                && tools.length > 10 && tools.every(each => each.top >= stage.bottom && each.bottom <= timeline.top && each.right <= innerWidth);
+            }
+            """);
+        await page.UntilAsync("""
+            () => {
+              const choices = document.querySelector(".plot-choices");
+              const end = choices.getBoundingClientRect().right - parseFloat(getComputedStyle(choices).paddingRight);
+              return end < innerWidth && [...choices.querySelectorAll("select")].every(each => each.getBoundingClientRect().right <= end);
+            }
+            """);
+        page.AssertClean();
+    }
 }

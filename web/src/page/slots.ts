@@ -4,6 +4,8 @@ import { element } from "./dom";
 export interface Slots {
   /** Holds the canvas and what lies over it. */
   readonly stage: HTMLElement;
+  /** The tools over the edge of the stage, or below it on a phone. */
+  readonly tools: HTMLElement;
   /** Across the bottom: the time line of a take. */
   readonly timeline: HTMLElement;
   /** Sections of the panel at the side. */
@@ -15,7 +17,8 @@ export interface Slots {
 
 export function createSlots(): Slots {
   const slots = {
-    stage: element("main", { class: "stage", "aria-label": "Stage" }),
+    stage: element("div", { class: "stage" }),
+    tools: element("div", { class: "toolbar", role: "toolbar", "aria-label": "View", "aria-orientation": "vertical" }),
     timeline: element("section", { class: "timeline", "aria-label": "Time line" }),
     stream: element("section", { class: "section" }),
     performers: element("section", { class: "section" }),
@@ -23,6 +26,6 @@ export function createSlots(): Slots {
     characters: element("section", { class: "section" }),
   };
   const panel = element("aside", { class: "panel", "aria-label": "Panel" }, slots.stream, slots.performers, slots.take, slots.characters);
-  document.body.append(slots.stage, panel, slots.timeline);
+  document.body.append(element("main", { "aria-label": "Stage" }, slots.stage, slots.tools), panel, slots.timeline);
   return slots;
 }

@@ -9,7 +9,7 @@ import { Hud } from "./hud";
 import { Overlay } from "./overlay";
 import { PerformerSection } from "./performerSection";
 import { Recorder } from "./recorder";
-import { describe, describeTake, type Situation } from "./situation";
+import { describe, describeTake, isConnected, type Situation } from "./situation";
 import { StreamSection } from "./streamSection";
 import { createToolbar } from "./toolbar";
 import { ZeroOut } from "./zeroOut";
@@ -27,6 +27,7 @@ export class Panel {
   private readonly _overlay: Overlay;
   private readonly _stream: StreamSection;
   private readonly _performers: PerformerSection;
+  private readonly _zeroOut: ZeroOut;
 
   constructor(page: Page, connection: Connection, takes: Takes, settings: SettingsStore, views: Views) {
     this._page = page;
@@ -36,12 +37,12 @@ export class Panel {
     this._overlay = new Overlay(page.slots.stage);
     this._stream = new StreamSection(page.slots.stream);
     this._performers = new PerformerSection(page.slots.performers, page.performers, views);
-    createToolbar(page.slots.stage, settings, views, page.keys);
+    createToolbar(page.slots.tools, settings, views, page.keys);
     this.hud = new Hud(page.slots.stage, page.loop, page.feed);
     const recorder = new Recorder(page, takes, page.slots.stream);
-    const zeroOut = new ZeroOut(page);
+    this._zeroOut = new ZeroOut(page);
     this._header.actions.append(recorder.button);
-    this._stream.buttons.append(createDiagnosisButton(page), zeroOut.button);
+    this._stream.buttons.append(createDiagnosisButton(page), this._zeroOut.button);
     this.situation = describe("connecting", "", null, 0);
 
     connection.onState(() => {
@@ -53,7 +54,6 @@ export class Panel {
     takes.onChange(() => this.update());
     connection.onMessage(message => {
       if (message.type === "hello") {
-        zeroOut.allow(message.canCommand);
         recorder.clear();
       } else if (message.type === "recording") {
         recorder.show(message);
@@ -79,6 +79,7 @@ export class Panel {
     this._header.show(this.situation, connection.hello?.source ?? "");
     this._stream.show(this.situation, this.status, connection.state === "open" ? this.hud.delay : NaN);
     this._performers.show(this.status);
+    this._zeroOut.allow(connection.hello?.canCommand ?? true, isConnected(this.status));
     // A take needs the program as well, but not its source.
     this._overlay.show(page.feed.paused && connection.state === "open" ? ofTake : this.situation, page.performers.anyPosed);
   }

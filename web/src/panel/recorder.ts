@@ -26,7 +26,7 @@ export class Recorder {
     this._words = this.button.querySelector("span")!;
     this._line.hidden = true;
     place.append(this._line, this._finished);
-    page.keys.add({ key: "r", does: "Record, and stop", group: "Stream", isUseful: () => page.connection.hasStream, run: () => void this.toggle() });
+    page.keys.add({ key: "r", does: "Start or stop recording", group: "Stream", isUseful: () => page.connection.hasStream, run: () => void this.toggle() });
   }
 
   async toggle(): Promise<void> {

@@ -32,6 +32,11 @@ export function describe(connection: ConnectionState, refusal: string, status: S
   }
 }
 
+/** Whether the program is connected to the source. A silent source is. */
+export function isConnected(status: Status | null): boolean {
+  return status !== null && ["connected", "receiving", "silent"].includes(status.state.toLowerCase());
+}
+
 /** Tells about a take what the stage must say. A take that the program still reads may get frames. */
 export function describeTake(take: TakeInfo | null): Situation {
   return take !== null && take.progress >= 1 && take.performers.every(performer => performer.frames === 0)

@@ -24,10 +24,7 @@ const Choices: readonly (readonly [Choice, IconName, string, string])[] = [
 ];
 
 /** The tools at the edge of the stage: views, and what is shown. */
-export function createToolbar(place: HTMLElement, settings: SettingsStore, views: Views, keys: Keys): void {
-  const bar = element("div", { class: "toolbar", role: "toolbar", "aria-label": "View", "aria-orientation": "vertical" });
-  place.append(bar);
-
+export function createToolbar(bar: HTMLElement, settings: SettingsStore, views: Views, keys: Keys): void {
   const viewButtons = ViewButtons.map(([view, icon, words, key]) => {
     keys.add(shortcut(key, words, "Camera", () => views.show(view)));
     return iconButton(icon, words, key, () => views.show(view));

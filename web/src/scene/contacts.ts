@@ -35,14 +35,14 @@ export class ContactMarks {
     this._touches[1] = right;
   }
 
-  /** Moves and fades the discs. Returns whether they change. */
+  /** Moves and fades the discs. Returns whether what they show changes. */
   update(step: number, visible: boolean): boolean {
     let changed = false;
     for (let foot = 0; foot < 2; foot++) {
       const goal = this._touches[foot] ? 1 : 0;
       const strength = this._strength[foot];
-      const next = goal > strength ? Math.min(1, strength + step / FadeIn) : Math.max(0, strength - step / FadeOut);
-      changed ||= next !== strength;
+      const next = goal > strength ? Math.min(goal, strength + step / FadeIn) : Math.max(goal, strength - step / FadeOut);
+      changed ||= visible && next !== strength;
       this._strength[foot] = next;
       const mesh = this.meshes[foot];
       mesh.visible = visible && next > 0;

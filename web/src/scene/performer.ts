@@ -107,7 +107,7 @@ export class Performer {
   update(settings: Settings, step: number): boolean {
     const faded = this._contacts.update(step, settings.contacts);
     if (!this._hasChanged)
-      return faded;
+      return faded && this.group.visible;
 
     this._hasChanged = false;
     this.group.visible = this.hasPose && !this.hidden;

@@ -196,5 +196,5 @@ export function addCameraKeys(keys: Keys, rig: CameraRig, views: Views, settings
   camera("ArrowDown", "↓", "Lower", turn(0, -1));
   camera("+", "+", "Closer", () => rig.zoom(1 / 1.15));
   camera("-", "-", "Farther", () => rig.zoom(1.15));
-  camera("h", "h", "All performers in the picture", () => views.follow(null));
+  camera("h", "h", "Fit all performers", () => views.follow(null));
 }

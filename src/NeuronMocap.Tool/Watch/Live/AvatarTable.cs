@@ -26,7 +26,7 @@ internal static class AvatarTable
         new("frames", 10, 12, Justify.Right),
         new("lost", 6, 8, Justify.Right),
         new("gaps", 6, 6, Justify.Right, From: Widest),
-        new("disordered", 10, 11, Justify.Right, From: Usual),
+        new("out of order", 6, 12, Justify.Right, From: Usual, Short: "late"),
         new("restarts", 8, 8, Justify.Right, From: Widest),
         new("age", 7, 8, Justify.Right),
         new("feet", 4, 5, Justify.Left),
@@ -193,10 +193,14 @@ internal static class AvatarTable
             .Add(feet.Right ? "R" : Lifted, feet.Right ? new Style(Color.Black, Palette.Right) : Palette.DimStyle);
     }
 
-    private readonly record struct Column(string Title, int Narrow, int Wide, Justify Alignment, int From = 0)
+    private readonly record struct Column(string Title, int Narrow, int Wide, Justify Alignment, int From = 0, string? Short = null)
     {
         public int WidthWhen(bool isWide) => isWide ? Wide : Narrow;
 
-        public string TitleWhen(bool isWide) => Title.Length <= WidthWhen(isWide) ? Title : Title[..WidthWhen(isWide)];
+        public string TitleWhen(bool isWide)
+        {
+            string title = isWide ? Title : Short ?? Title;
+            return title.Length <= WidthWhen(isWide) ? title : title[..WidthWhen(isWide)];
+        }
     }
 }

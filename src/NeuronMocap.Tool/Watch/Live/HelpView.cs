@@ -9,7 +9,7 @@ namespace NeuronMocap.Tool.Watch.Live;
 internal static class HelpView
 {
     private const int WidestText = 100;
-    private const int NameWidth = 12;
+    private const int NameWidth = 14;
 
     private static readonly (string Name, string Meaning)[] CommonKeys =
     [
@@ -32,7 +32,7 @@ internal static class HelpView
         ("jitter", "standard deviation of the time between two frames"),
         ("lost", "frames that the server sent but that did not arrive"),
         ("gaps", "runs of lost frames"),
-        ("disordered", "frames that arrived twice, or after a later one"),
+        ("out of order", "frames that arrived twice, or after a later one. A narrow window says late"),
         ("restarts", "how often the server restarted its frame numbers"),
         ("age", "time since the newest frame arrived"),
         ("latency", "not shown: a frame does not say when it was sent, so the time in transit cannot be known"),

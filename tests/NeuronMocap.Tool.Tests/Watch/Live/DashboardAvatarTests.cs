@@ -30,6 +30,16 @@ public sealed class DashboardAvatarTests
     }
 
     [Theory]
+    [InlineData(80, " late ")]
+    [InlineData(100, " out of order ")]
+    public void The_column_of_frames_out_of_order_has_a_whole_title(int width, string title) =>
+        Assert.Contains(title, string.Concat(Draw(WithPose(), width, 24)), StringComparison.Ordinal);
+
+    [Fact]
+    public void The_help_explains_frames_out_of_order() =>
+        Assert.Matches("out of order +frames that arrived twice", string.Join('\n', Draw(WithHelp(), 120, 80)));
+
+    [Theory]
     [InlineData(40, 12)]
     [InlineData(80, 24)]
     [InlineData(200, 60)]
