@@ -31,6 +31,7 @@ catch (FormatException exception)
 
 await using var reader = new NeuronReader(options);
 reader.StatusChanged += status => Console.WriteLine(status.Message);
+Console.WriteLine("Ctrl+C ends the program.");
 
 // Keeps the newest frame of each avatar. A monitor does not need older frames.
 using LatestFrames latest = reader.OpenLatest();

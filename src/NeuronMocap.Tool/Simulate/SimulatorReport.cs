@@ -38,6 +38,8 @@ internal sealed class SimulatorReport(
                 WriteLine($"Calculation to {new IPEndPoint(destination.Address, port)}");
         }
 
+        if (streams.IsTerminal)
+            WriteLine("Ctrl+C ends the program.");
         if (streams.IsTerminal && Screen.IsSupported)
             await WatchAsync();
 

@@ -13,8 +13,8 @@ public sealed partial class SnippetTests
     // What the reader of a page puts in.
     private static readonly HashSet<string> Placeholders =
     [
-        "reader", "options", "builder", "running", "avatar", "actor", "rig", "retargeter", "pose", "localPose", "world", "body", "seconds",
-        "Apply", "Draw", "PlantFeet", "Render", "Show", "ShowPose", "Text",
+        "reader", "builder", "running", "avatar", "actor", "rig", "retargeter", "pose", "localPose", "world", "body", "seconds",
+        "Apply", "Draw", "Render", "Text",
     ];
 
     public static TheoryData<string, string> Snippets

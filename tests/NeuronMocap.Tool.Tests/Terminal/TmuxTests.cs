@@ -23,12 +23,13 @@ public sealed class TmuxTests
         string[] shown = await terminal.WaitForAsync(static lines => lines.Any(IsProgress));
         Assert.StartsWith("Broadcasting synthetic actor", shown[0], StringComparison.Ordinal);
         Assert.StartsWith("Listening on 127.0.0.1:", shown[1], StringComparison.Ordinal);
+        Assert.Equal("Ctrl+C ends the program.", shown[2]);
         Assert.Single(shown, IsProgress);
 
         await terminal.TypeAsync("C-c");
         string[] ended = await terminal.WaitForAsync(static lines => lines.Contains("ended with 0"));
         Assert.StartsWith("Listening on 127.0.0.1:", ended[1], StringComparison.Ordinal);
-        Assert.StartsWith("Served 1 client: ", ended[2], StringComparison.Ordinal);
+        Assert.StartsWith("Served 1 client: ", ended[3], StringComparison.Ordinal);
 
         static bool IsProgress(string line) => line.StartsWith("1 client, ", StringComparison.Ordinal);
     }
