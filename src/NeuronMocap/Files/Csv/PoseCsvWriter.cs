@@ -50,8 +50,19 @@ public sealed class PoseCsvWriter : IDisposable
         _output = new RowOutput(stream, leaveOpen, 1 + TextDigits.MaxSize);
         _isZUp = options.UpAxis == UpAxis.Z;
         _isInMetres = options.Unit == LengthUnit.Metres;
-        _output.Write(PoseCsvHeader.Create(options));
-        _output.Flush();
+        try
+        {
+            _output.Write(PoseCsvHeader.Create(options));
+            _output.Flush();
+        }
+        catch
+        {
+            // Nobody else can close the stream.
+            if (!leaveOpen)
+                stream.Dispose();
+
+            throw;
+        }
     }
 
     /// <summary>Number of rows written so far.</summary>

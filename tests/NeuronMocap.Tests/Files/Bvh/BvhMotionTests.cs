@@ -150,7 +150,7 @@ public class BvhMotionTests
         BvhDocument document = ParseRows(1, rows);
 
         Assert.Equal(1, document.FrameCount);
-        Assert.EndsWith("values instead of 9; it is skipped.", document.Repairs[0].Description, StringComparison.Ordinal);
+        Assert.EndsWith(" instead of 9; it is skipped.", document.Repairs[0].Description, StringComparison.Ordinal);
         Assert.Equal(line, document.Repairs[0].Line);
     }
 

@@ -147,6 +147,21 @@ public sealed class PoseCsvWriterTests
         return Encoding.UTF8.GetString(stream.ToArray());
     }
 
+    [Theory]
+    [InlineData(false)]
+    [InlineData(true)]
+    public void A_writer_that_cannot_begin_closes_its_stream(bool leaveOpen)
+    {
+        using var stream = new FullStream();
+        Assert.Throws<IOException>(() => new PoseCsvWriter(stream, leaveOpen: leaveOpen));
+        Assert.Equal(leaveOpen, stream.CanWrite);
+    }
+
+    private sealed class FullStream : MemoryStream
+    {
+        public override void Write(byte[] buffer, int offset, int count) => throw new IOException("No space left on device");
+    }
+
     private static string[] Lines(string text) =>
         [.. text.Split('\n').Where(static line => line.Length > 0 && line[0] != '#')];
 
