@@ -61,7 +61,7 @@ short() {
 full() {
     case $1 in
         throughput) echo "--runs 15" ;;
-        broadcast) echo "--runs 15 --seconds 3" ;;
+        broadcast) echo "--runs 11 --seconds 3" ;;
         peers) echo "--runs 5 --writes 1 32 --rates 60 120" ;;
     esac
 }
