@@ -9,6 +9,8 @@ namespace NeuronMocap.Tool.Plot;
 /// <summary>Draws a plot of a file.</summary>
 internal sealed class PlotTool(FileSettings settings, StandardStreams streams)
 {
+    private BvhDocument? _document;
+
     /// <summary>Draws the plot. Returns the exit code.</summary>
     public Task<int> RunAsync(CancellationToken cancellationToken) => new FileRun(settings, streams).RunAsync((output, stop) => Run(output!, stop), cancellationToken);
 
@@ -16,6 +18,7 @@ internal sealed class PlotTool(FileSettings settings, StandardStreams streams)
     {
         FileKind kind = settings.RecognizeInput();
         output.Write(path => Draw(kind, path, cancellationToken));
+        Report();
     }
 
     private void Draw(FileKind kind, string path, CancellationToken cancellationToken)
@@ -33,7 +36,7 @@ internal sealed class PlotTool(FileSettings settings, StandardStreams streams)
         if (kind == FileKind.Bvh)
         {
             BvhDocument document = BvhFile.Load(settings.Input, progress, cancellationToken);
-            Report(document);
+            _document = document;
             if (document.FrameCount == 0)
                 throw new NeuronException("The file holds a skeleton but no frames.");
             if (!range.IsAll)
@@ -59,10 +62,10 @@ internal sealed class PlotTool(FileSettings settings, StandardStreams streams)
         return (body, Describe(what, body));
     }
 
-    // A file without some of its rows is drawn all the same.
-    private void Report(BvhDocument document)
+    // A file without some of its rows is drawn all the same. A failure is reported alone, in one line.
+    private void Report()
     {
-        if (document.SkippedRowCount == 0)
+        if (_document is not { SkippedRowCount: > 0 } document)
             return;
 
         var summary = new ConversionSummary { Frames = document.FrameCount, FrameRate = document.FrameRate, Seconds = document.FrameCount / document.FrameRate };

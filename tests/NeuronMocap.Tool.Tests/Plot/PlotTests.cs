@@ -45,6 +45,17 @@ public sealed class PlotTests : IDisposable
     }
 
     [Fact]
+    public async Task A_damaged_file_that_is_not_drawn_has_one_line()
+    {
+        Takes.StraightWalk().Save(_folder["walk.bvh"]);
+        string text = await File.ReadAllTextAsync(_folder["walk.bvh"], TestContext.Current.CancellationToken);
+        _folder.Write("bad.bvh", text.TrimEnd() + "\n1 2 3\n");
+        ToolResult result = await ToolRunner.RunAsync("plot", _folder["bad.bvh"], _folder["bad.svg"], "--from", "1000");
+        Assert.Equal(1, result.ExitCode);
+        Assert.DoesNotContain("left out", Assert.Single(result.Error), StringComparison.Ordinal);
+    }
+
+    [Fact]
     public async Task A_straight_walk_gives_a_straight_path_with_an_even_speed()
     {
         Takes.StraightWalk().Save(_folder["walk.bvh"]);
