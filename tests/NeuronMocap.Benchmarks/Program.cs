@@ -65,10 +65,11 @@ var udp = new Command("udp", "Datagrams per second and their loss.") { senders, 
 udp.SetAction((result, _) => Udp.RunAsync(result.GetValue(senders)!, result.GetValue(Frames), result.GetValue(Runs), Open(result)));
 
 var growthCounts = new Option<int[]>("--counts") { Description = "Numbers, the smallest of which is the floor.", DefaultValueFactory = _ => [1, 10, 100, 1000], AllowMultipleArgumentsPerToken = true };
-var hours = new Option<double[]>("--hours") { Description = "Lengths of recordings.", DefaultValueFactory = _ => [0.1, 1, 8], AllowMultipleArgumentsPerToken = true };
-var growth = new Command("growth", "Cost of a frame as connections, avatars, consumers, clients and recordings grow.") { growthCounts, hours, Seconds, Runs, Json };
+var hours = new Option<double[]>("--hours") { Description = "Lengths of recordings.", DefaultValueFactory = _ => [0.1, 1, 10], AllowMultipleArgumentsPerToken = true };
+var growthTool = new Option<FileInfo?>("--tool") { Description = "neuron-mocap.dll, of which info is measured." };
+var growth = new Command("growth", "Cost of a frame as connections, avatars, consumers, clients and recordings grow.") { growthCounts, hours, growthTool, Seconds, Runs, Json };
 growth.SetAction((result, _) => Growth.RunAsync(
-    result.GetValue(growthCounts)!, result.GetValue(hours)!, result.GetValue(Seconds), result.GetValue(Runs), Open(result)));
+    result.GetValue(growthCounts)!, result.GetValue(hours)!, result.GetValue(growthTool), result.GetValue(Seconds), result.GetValue(Runs), Open(result)));
 
 var raw = new Option<FileInfo>("--raw") { Description = "bench-raw of tests/native.", Required = true };
 var peers = new Command("peers", "The same stream through a receive loop in C, a client as tutorials write it, and the library.") { raw, Frames, Runs, Writes, rates, Seconds, Json };

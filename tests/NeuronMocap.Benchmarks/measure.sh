@@ -63,6 +63,7 @@ full() {
         throughput) echo "--runs 15" ;;
         broadcast) echo "--runs 11 --seconds 3" ;;
         peers) echo "--runs 5 --writes 1 32 --rates 60 120" ;;
+        growth) echo "--runs 5" ;;
     esac
 }
 
@@ -83,9 +84,14 @@ for framework in net8.0 netstandard2.1; do
 done
 
 # Only this build takes pipes, and relays on the receive thread.
-for command in pipe relay web udp idle growth check; do
+for command in pipe relay web udp idle check; do
     measure net8.0 "$command"
 done
+
+if wanted growth; then
+    dotnet build -v quiet -o "$scratch/tool" ../../src/NeuronMocap.Tool > "$scratch/log" || { cat "$scratch/log"; exit 1; }
+    measure net8.0 growth --tool "$scratch/tool/neuron-mocap.dll"
+fi
 
 # The Unity package takes the netstandard2.1 build.
 measure netstandard2.1 unity

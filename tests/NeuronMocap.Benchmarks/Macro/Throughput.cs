@@ -72,8 +72,8 @@ internal static class Throughput
         long? allocated = null;
         reader.MotionReceived += _ =>
         {
-            // Measured from the thousandth frame to the last, because connecting and ending allocate.
-            if (++counted == 1000)
+            // Measured from the middle to the last frame. Connecting and ending allocate, and the receive buffer grows once, when the reader falls behind.
+            if (++counted == frames / 2)
                 allocatedBefore = RuntimeFigures.AllocatedBytes;
             if (counted == frames)
                 allocated = RuntimeFigures.AllocatedBytes - allocatedBefore;
@@ -81,7 +81,7 @@ internal static class Throughput
         TimeSpan cpu = RuntimeFigures.CpuTime;
         reader.Start();
         await reader.Completion;
-        return ToFigures(reader, cpu, frames, counted, allocated / (double)frames);
+        return ToFigures(reader, cpu, frames, counted, allocated / (frames / 2.0));
     }
 
     public static async Task<Measurements> QueueAsync(int perWrite, int frames, Func<FrameQueue, Task<long>> takeAsync)

@@ -6,12 +6,15 @@ using NeuronMocap.Benchmarks.Harness;
 namespace NeuronMocap.Benchmarks.Page;
 
 // The tables of performance.md. They are between a comment "measured: RESULTS + RESULTS | FIGURE | …" and the comment "end". RESULTS is a file of measure.sh
-// without its ending, which has a table of its own, and each figure has a column. A table without new results stays.
+// without its ending, which has a table of its own, and each figure has a column. A last column says which of these figures miss their aims, if there are aims.
+// A table without new results stays.
 internal static partial class PageTables
 {
     public const string GrowthPicture = "growth.svg";
+    public const string RecordingsPicture = "growth-recordings.svg";
 
     private const string Times = " ×";
+    private const string AimsColumn = "aims";
 
     // Replaces the tables for which there are results.
     public static string Update(string page, Func<string, Results?> read) => Block().Replace(page, match =>
@@ -35,7 +38,7 @@ internal static partial class PageTables
             @case = cells[0].Length > 0 ? cells[0] : @case;
             for (int i = 2; i < cells.Length; i++)
             {
-                if (cells[i].IndexOf(Times, StringComparison.Ordinal) is > 0 and var end)
+                if (lines[0][i] != AimsColumn && cells[i].IndexOf(Times, StringComparison.Ordinal) is > 0 and var end)
                     ratios[(@case, cells[1], lines[0][i])] = double.Parse(cells[i][..end], NumberStyles.Number, CultureInfo.InvariantCulture);
             }
         }
@@ -47,7 +50,9 @@ internal static partial class PageTables
     {
         var text = new StringBuilder();
         text.Append(CultureInfo.InvariantCulture, $"`{results.Command}`, {results.Build}, {results.Runtime}, {results.Processors} × {results.Processor}, {results.System}:\n\n");
-        text.Append(CultureInfo.InvariantCulture, $"| | | {string.Join(" | ", figures)} |\n|---|---|{string.Concat(Enumerable.Repeat("---|", figures.Count))}\n");
+        bool hasAims = results.Rows.Any(row => row.Aim is not null && figures.Contains(row.Figure));
+        string[] columns = hasAims ? [.. figures, AimsColumn] : [.. figures];
+        text.Append(CultureInfo.InvariantCulture, $"| | | {string.Join(" | ", columns)} |\n|---|---|{string.Concat(Enumerable.Repeat("---|", columns.Length))}\n");
         string last = string.Empty;
         foreach (IGrouping<(string Case, string Way), Row> line in results.Rows.GroupBy(static row => (row.Case, row.Way)))
         {
@@ -55,12 +60,13 @@ internal static partial class PageTables
             if (Array.TrueForAll(cells, static cell => cell.Length == 0))
                 continue;
 
-            text.Append(CultureInfo.InvariantCulture, $"| {(line.Key.Case == last ? string.Empty : line.Key.Case)} | {line.Key.Way} | {string.Join(" | ", cells)} |\n");
+            string aims = hasAims ? $" {Aims(line, figures)} |" : string.Empty;
+            text.Append(CultureInfo.InvariantCulture, $"| {(line.Key.Case == last ? string.Empty : line.Key.Case)} | {line.Key.Way} | {string.Join(" | ", cells)} |{aims}\n");
             last = line.Key.Case;
         }
 
         if (results.Command == "growth")
-            text.Append(CultureInfo.InvariantCulture, $"\n![Cost of a frame as the number grows]({GrowthPicture})\n");
+            text.Append(CultureInfo.InvariantCulture, $"\n![Cost of a frame as the number grows]({GrowthPicture})\n\n![Time of one call as a recording grows]({RecordingsPicture})\n");
 
         return text.ToString();
     }
@@ -70,6 +76,13 @@ internal static partial class PageTables
     {
         string[] head = Split(table, ',');
         return $"{(head[2].StartsWith("Mono", StringComparison.Ordinal) ? "mono" : head[1])}-{head[0].Trim('`')}";
+    }
+
+    private static string Aims(IEnumerable<Row> line, IReadOnlyList<string> figures)
+    {
+        Row[] aimed = [.. line.Where(row => row.Aim is not null && figures.Contains(row.Figure))];
+        Row[] missed = [.. aimed.Where(static row => row.IsMet == false)];
+        return missed.Length > 0 ? "missed: " + string.Join(", ", missed.Select(static row => $"{row.Figure} {row.Aim}")) : aimed.Length > 0 ? "met" : string.Empty;
     }
 
     // Measurements that are read as they are, although the floor has them, too.
