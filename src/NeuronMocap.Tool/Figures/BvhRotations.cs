@@ -10,10 +10,20 @@ internal static class BvhRotations
     public static Quaternion Get(BvhJoint joint, ReadOnlySpan<float> row)
     {
         Quaternion rotation = Quaternion.Identity;
-        for (int i = 0; i < joint.Channels.Count; i++)
+        IReadOnlyList<BvhChannel> channels = joint.Channels;
+        for (int i = 0; i < channels.Count; i++)
         {
-            if (AxisOf(joint.Channels[i]) is { } axis)
-                rotation *= Quaternion.CreateFromAxisAngle(axis, row[joint.FirstChannel + i] * (MathF.PI / 180));
+            BvhChannel channel = channels[i];
+            if (!IsRotation(channel))
+                continue;
+
+            (float sine, float cosine) = MathF.SinCos(row[joint.FirstChannel + i] * (MathF.PI / 360));
+            rotation *= channel switch
+            {
+                BvhChannel.Xrotation => new Quaternion(sine, 0, 0, cosine),
+                BvhChannel.Yrotation => new Quaternion(0, sine, 0, cosine),
+                _ => new Quaternion(0, 0, sine, cosine),
+            };
         }
 
         return rotation;
@@ -23,20 +33,15 @@ internal static class BvhRotations
     public static float LargestDifference(BvhJoint joint, ReadOnlySpan<float> before, ReadOnlySpan<float> row)
     {
         float largest = 0;
-        for (int i = 0; i < joint.Channels.Count; i++)
+        IReadOnlyList<BvhChannel> channels = joint.Channels;
+        for (int i = 0; i < channels.Count; i++)
         {
-            if (AxisOf(joint.Channels[i]) is not null)
+            if (IsRotation(channels[i]))
                 largest = Math.Max(largest, MathF.Abs(row[joint.FirstChannel + i] - before[joint.FirstChannel + i]));
         }
 
         return largest;
     }
 
-    private static Vector3? AxisOf(BvhChannel channel) => channel switch
-    {
-        BvhChannel.Xrotation => Vector3.UnitX,
-        BvhChannel.Yrotation => Vector3.UnitY,
-        BvhChannel.Zrotation => Vector3.UnitZ,
-        _ => null,
-    };
+    private static bool IsRotation(BvhChannel channel) => channel is BvhChannel.Xrotation or BvhChannel.Yrotation or BvhChannel.Zrotation;
 }
