@@ -15,8 +15,8 @@ internal sealed record InputTake(MotionSource Motion, ChannelLayout Layout, Rota
 {
     private const string UsualName = "Char00";
 
-    /// <summary>The file, if it is BVH.</summary>
-    public BvhDocument? Bvh { get; init; }
+    /// <summary>The bones of the file, if it is BVH.</summary>
+    public BvhSkeletonMap? Bvh { get; init; }
 
     /// <summary>The rows, if the file is calculation data.</summary>
     public CalculationDocument? Calculation { get; init; }
@@ -49,7 +49,7 @@ internal sealed record InputTake(MotionSource Motion, ChannelLayout Layout, Rota
     {
         var source = new BvhSource(document);
         BvhSkeletonMap.TryCreate(document, out BvhSkeletonMap? map, out _);
-        return new InputTake(source, map!.Layout, source.RotationOrder, UsualName) { Bvh = document };
+        return new InputTake(source, map!.Layout, source.RotationOrder, UsualName) { Bvh = map };
     }
 
     private static InputTake Of(CalculationDocument document, string avatarName) =>

@@ -22,7 +22,12 @@ internal static class TakeWarnings
     public static void AddInput(ConversionSummary summary, FileSettings settings, InputTake take)
     {
         if (take.Bvh is { } bvh)
-            summary.AddRepairs(bvh);
+        {
+            summary.AddRepairs(bvh.Document);
+            if (bvh.OtherJoints.Count > 0)
+                summary.AddLoss($"{Quantity.Count(bvh.OtherJoints.Count, "other joint")} ({BvhFile.NamesOf(bvh.OtherJoints)})");
+        }
+
         if (take.Calculation is { } rows)
             summary.AddRepairs(rows.Repairs, rows.RepairCount, rows.SkippedRowCount);
         if (take.Motion is CalculationSource skeleton)

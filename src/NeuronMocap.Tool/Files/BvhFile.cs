@@ -6,6 +6,8 @@ namespace NeuronMocap.Tool.Files;
 /// <summary>Reads BVH files with progress. Ctrl+C cancels the reading.</summary>
 internal static class BvhFile
 {
+    private const int MaxListed = 6;
+
     /// <summary>Reads a file.</summary>
     /// <exception cref="NeuronException">The file is not BVH, or it has rows and none can be read. The message then has the reason of the first.</exception>
     /// <exception cref="IOException">The file cannot be read.</exception>
@@ -29,4 +31,8 @@ internal static class BvhFile
         string reason = first.Description is null ? string.Empty : $" Line {first.Line}, column {first.Column}: {first.Description}";
         throw new NeuronException($"{rows} be read.{reason}");
     }
+
+    /// <summary>Lists the first joints by name.</summary>
+    public static string NamesOf(IReadOnlyList<BvhJoint> joints) =>
+        string.Join(", ", joints.Take(MaxListed).Select(static joint => joint.Name)) + (joints.Count > MaxListed ? ", …" : string.Empty);
 }

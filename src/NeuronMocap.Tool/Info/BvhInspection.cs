@@ -12,8 +12,6 @@ namespace NeuronMocap.Tool.Info;
 /// <summary>The report of info about a BVH file.</summary>
 internal sealed class BvhInspection(string path, IProgress<double> progress)
 {
-    private const int MaxListed = 6;
-
     public InfoReport Run(CancellationToken cancellationToken)
     {
         BvhDocument document = BvhFile.Load(path, progress, cancellationToken);
@@ -83,7 +81,7 @@ internal sealed class BvhInspection(string path, IProgress<double> progress)
             section.Add(
                 "jointNames",
                 "first joints",
-                string.Join(", ", document.Joints.Take(MaxListed).Select(static joint => joint.Name)) + (document.Joints.Count > MaxListed ? ", …" : string.Empty),
+                BvhFile.NamesOf(document.Joints),
                 new JsonArray([.. document.Joints.Select(static joint => (JsonNode)joint.Name)]));
             return;
         }
@@ -97,6 +95,8 @@ internal sealed class BvhInspection(string path, IProgress<double> progress)
         section.Add("rotationOrder", "rotation order", map.Format.RotationOrder.ToString());
         section.Add("displacement", "displacement", map.Layout.HasDisplacement ? "on: a position for every bone" : "off: a position for the hips alone", map.Layout.HasDisplacement);
         section.Add("reference", "reference", map.Layout.HasReference ? "on: a Reference node is the parent of the hips" : "off", map.Layout.HasReference);
+        var names = new JsonArray([.. map.OtherJoints.Select(static joint => (JsonNode)joint.Name)]);
+        section.Add("otherJoints", "other joints", map.OtherJoints.Count > 0 ? $"{BvhFile.NamesOf(map.OtherJoints)}: only BVH files keep them" : null, names);
     }
 
     private static int Depth(BvhDocument document)

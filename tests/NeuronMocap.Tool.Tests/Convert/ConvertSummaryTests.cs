@@ -24,6 +24,23 @@ public sealed class ConvertSummaryTests : IDisposable
     }
 
     [Fact]
+    public async Task Bones_with_a_prefix_are_found_and_other_joints_are_reported()
+    {
+        Takes.Actor(20).Save(_folder["actor.bvh"]);
+        _folder.Write("robot.bvh", Takes.Robot(Takes.Actor(20)));
+        foreach (string kind in (string[])["csv", "glb", "nmrec", "bin", "calc"])
+        {
+            await ConvertAsync(_folder["actor.bvh"], _folder[$"actor.{kind}"]);
+            Assert.Contains("1 other joint (Prop1)", await ConvertAsync(_folder["robot.bvh"], _folder[$"robot.{kind}"]), StringComparison.Ordinal);
+        }
+
+        Assert.Equal(await RowsAsync("actor.csv"), await RowsAsync("robot.csv"));
+        Assert.Equal(await File.ReadAllBytesAsync(_folder["actor.bin"], Token), await File.ReadAllBytesAsync(_folder["robot.bin"], Token));
+        Assert.EndsWith("no warnings.", await ConvertAsync(_folder["robot.bvh"], _folder["copy.bvh"]), StringComparison.Ordinal);
+        Assert.Contains("ROOT Prop1", await File.ReadAllTextAsync(_folder["copy.bvh"], Token), StringComparison.Ordinal);
+    }
+
+    [Fact]
     public async Task A_cut_BVH_file_is_reported()
     {
         Takes.Actor(358).Save(_folder["whole.bvh"]);
@@ -103,4 +120,7 @@ public sealed class ConvertSummaryTests : IDisposable
     public void Dispose() => _folder.Dispose();
 
     private static CancellationToken Token => TestContext.Current.CancellationToken;
+
+    private async Task<string[]> RowsAsync(string table) =>
+        [.. (await File.ReadAllLinesAsync(_folder[table], Token)).Where(static line => !line.StartsWith('#'))];
 }

@@ -55,6 +55,22 @@ internal static class Takes
         return Neuron(frames, (frame, pose) => actor.GetPose(frame, pose), rate, displacement, order);
     }
 
+    /// <summary>
+    /// The text of a take as other programs write it: the character's name before those of the bones, and a joint that is not a bone, such as a prop.
+    /// </summary>
+    public static string Robot(BvhDocument take)
+    {
+        using var bytes = new MemoryStream();
+        take.Save(bytes);
+        string[] parts = System.Text.Encoding.ASCII.GetString(bytes.ToArray()).ReplaceLineEndings("\n").Split("MOTION");
+        string hierarchy = parts[0].Replace("ROOT ", "ROOT Robot:", StringComparison.Ordinal).Replace("JOINT ", "JOINT Robot:", StringComparison.Ordinal);
+        string[] lines = parts[1].TrimEnd().Split('\n');
+        int first = 1 + Array.FindIndex(lines, static line => line.StartsWith("Frame Time", StringComparison.Ordinal));
+        IEnumerable<string> rows = lines[first..].Select(static row => row.TrimEnd() + " 0 0 0");
+        return $"{hierarchy}ROOT Prop1\n{{\nOFFSET 0 0 0\nCHANNELS 3 Yrotation Xrotation Zrotation\nEnd Site\n{{\nOFFSET 0 1 0\n}}\n}}\n"
+            + $"MOTION{string.Join('\n', lines[..first])}\n{string.Join('\n', rows)}\n";
+    }
+
     /// <summary>One metre a second along Z.</summary>
     public static BvhDocument StraightWalk(int frames = 121, double rate = 60) =>
         Neuron(frames, (frame, pose) => Move(pose, new Vector3(0, 0, (float)(frame * 100 / rate))), rate);

@@ -64,6 +64,20 @@ public sealed class BvhInfoTests : InfoPages
     }
 
     [Fact]
+    public async Task Joints_that_are_not_bones_are_named()
+    {
+        Folder.Write("robot.bvh", Takes.Robot(Takes.Actor(20)));
+        JsonElement skeleton = (await JsonAsync("robot.bvh")).GetProperty("skeleton");
+        Assert.Equal("Neck1", skeleton.GetProperty("variant").GetString());
+        Assert.Equal(["Prop1"], skeleton.GetProperty("otherJoints").EnumerateArray().Select(static name => name.GetString()));
+        Assert.Contains(await PageAsync("robot.bvh"), static line => line.Contains("other joints", StringComparison.Ordinal) && line.Contains("Prop1: only BVH files keep them", StringComparison.Ordinal));
+
+        Takes.Actor(20).Save(Folder["actor.bvh"]);
+        Assert.Equal(0, (await JsonAsync("actor.bvh")).GetProperty("skeleton").GetProperty("otherJoints").GetArrayLength());
+        Assert.DoesNotContain(await PageAsync("actor.bvh"), static line => line.Contains("other joints", StringComparison.Ordinal));
+    }
+
+    [Fact]
     public async Task Another_skeleton_is_described()
     {
         Folder.Write("joints.bvh", Takes.TwoJoints);

@@ -19,7 +19,7 @@ internal sealed class BvhAlignment
         _channelCount = hierarchy.ChannelCount;
         _roots = [.. joints.Where(static joint => joint.Joint.Parent is null)];
         _hips = _roots[0];
-        if (_hips.Joint.Name is BvhSkeletonMap.ReferenceName && joints.Length > 1 && joints[1].Joint.Parent == _hips.Joint)
+        if (BvhBoneNames.IsReference(_hips.Joint) && joints.Length > 1 && joints[1].Joint.Parent == _hips.Joint)
             (_reference, _hips) = (_hips, joints[1]);
 
         foreach (BvhJointValues root in _roots)

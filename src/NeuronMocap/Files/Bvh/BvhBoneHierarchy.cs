@@ -21,7 +21,7 @@ public static class BvhBoneHierarchy
         body ??= SkeletonBody.GetDefault(format.Variant);
         BvhChannel[] three = BvhChannels.Rotations(format.RotationOrder);
         BvhChannel[] six = [.. BvhChannels.Positions, .. three];
-        BvhJoint? reference = layout.HasReference ? builder.Add(BvhSkeletonMap.ReferenceName, parent: null, Vector3.Zero, six) : null;
+        BvhJoint? reference = layout.HasReference ? builder.Add(BvhBoneNames.Reference, parent: null, Vector3.Zero, six) : null;
         BvhJoint[] joints = new BvhJoint[BoneHierarchy.BoneCount];
         foreach (Bone bone in BoneHierarchy.Bones)
         {

@@ -36,7 +36,7 @@ internal static class BvhDisplacementChange
         return document.With(hierarchy, Fill(document, hierarchy, static (_, _, _, _) => { }));
     }
 
-    private static bool IsRoot(BvhJoint joint) => joint.Parent is null or { Parent: null, Name: BvhSkeletonMap.ReferenceName };
+    private static bool IsRoot(BvhJoint joint) => joint.Parent is null || BvhBoneNames.IsReference(joint.Parent);
 
     private static Vector3 FindOffset(BvhDocument document, BvhJointValues joint, ref PositionChannelLoss loss)
     {

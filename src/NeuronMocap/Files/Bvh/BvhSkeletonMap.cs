@@ -9,12 +9,11 @@ namespace NeuronMocap.Bvh;
 /// </summary>
 /// <remarks>
 /// The joints may have any order, and the file may have other joints. Names and parents must be those of one <see cref="SkeletonVariant"/>. The
-/// hips must be a root, or a child of a root named Reference.
+/// hips must be a root, or a child of a root named Reference. All names can have the same prefix, such as <c>Robot:Hips</c>, that ends with neither a
+/// letter nor a digit.
 /// </remarks>
 public sealed class BvhSkeletonMap
 {
-    internal const string ReferenceName = "Reference";
-
     private readonly BvhJoint[] _joints;
     private readonly int[] _columns;
     private readonly SkeletonBody _body;
@@ -27,6 +26,8 @@ public sealed class BvhSkeletonMap
         Layout = layout;
         Format = format;
         _body = MakeBody(joints, format.Variant);
+        BvhJoint? reference = joints[(int)Bone.Hips].Parent;
+        OtherJoints = [.. document.Joints.Except(joints).Where(joint => joint != reference)];
     }
 
     /// <summary>The file. It has no rows if the map was created from a hierarchy.</summary>
@@ -40,6 +41,9 @@ public sealed class BvhSkeletonMap
     /// have them. A Reference node above the hips adds six values, which come first.
     /// </summary>
     public ChannelLayout Layout { get; }
+
+    /// <summary>The joints of the file that are neither one of the bones nor the Reference node, such as props. Poses do not have them.</summary>
+    public IReadOnlyList<BvhJoint> OtherJoints { get; }
 
     /// <summary>Gets the joint of a bone.</summary>
     /// <param name="bone">The bone.</param>
@@ -64,16 +68,15 @@ public sealed class BvhSkeletonMap
     {
         ArgumentNullException.ThrowIfNull(document);
         map = null;
-        bool hasSpine3 = document.Joints.Any(joint => joint.Name is "Spine3");
-        SkeletonVariant variant = hasSpine3 ? SkeletonVariant.Spine3 : SkeletonVariant.Neck1;
-        if (!TryFindJoints(document, variant, out BvhJoint[] joints, out reason))
+        var names = new BvhBoneNames(document.Joints);
+        if (!TryFindJoints(document, names, out BvhJoint[] joints, out reason))
             return false;
 
         var columns = new BvhBoneColumns(joints, joints[(int)Bone.Hips].Parent);
         if (!columns.TryRead(out reason))
             return false;
 
-        var format = new SkeletonFormat(columns.RotationOrder, variant);
+        var format = new SkeletonFormat(columns.RotationOrder, names.Variant);
         map = new BvhSkeletonMap(document, joints, columns.Indices, columns.Layout, format);
         return true;
     }
@@ -159,14 +162,14 @@ public sealed class BvhSkeletonMap
 
     private static bool TryFindJoints(
         BvhDocument document,
-        SkeletonVariant variant,
+        BvhBoneNames names,
         out BvhJoint[] joints,
         [NotNullWhen(false)] out string? reason)
     {
         joints = new BvhJoint[BoneHierarchy.BoneCount];
         foreach (BvhJoint joint in document.Joints)
         {
-            if (!BoneHierarchy.TryFind(joint.Name, variant, out Bone bone))
+            if (!names.TryFind(joint, out Bone bone))
                 continue;
 
             if (joints[(int)bone] is not null)
@@ -180,28 +183,23 @@ public sealed class BvhSkeletonMap
 
         reason = null;
         foreach (Bone bone in BoneHierarchy.Bones)
-            reason ??= FindFault(joints, bone, variant, document.Joints[0]);
+            reason ??= FindFault(joints, bone, names, document.Joints[0]);
 
         return reason is null;
     }
 
-    private static string? FindFault(BvhJoint?[] joints, Bone bone, SkeletonVariant variant, BvhJoint root)
+    private static string? FindFault(BvhJoint?[] joints, Bone bone, BvhBoneNames names, BvhJoint root)
     {
-        string name = BoneHierarchy.GetName(bone, variant);
         if (joints[(int)bone] is not { } joint)
-            return $"The file has no joint named {name}; its first joint is named {root.Name}.";
+            return $"The file has no joint named {names[bone]}; its first joint is named {root.Name}.";
 
-        Bone? parent = BoneHierarchy.GetParent(bone, variant);
-        string? expected = parent is { } known ? BoneHierarchy.GetName(known, variant) : null;
-        if (string.Equals(joint.Parent?.Name, expected, StringComparison.Ordinal) || (parent is null && IsReference(joint.Parent)))
+        Bone? parent = BoneHierarchy.GetParent(bone, names.Variant);
+        BvhJoint? expected = parent is { } known ? joints[(int)known] : null;
+        if (joint.Parent == expected || (parent is null && BvhBoneNames.IsReference(joint.Parent)))
             return null;
 
-        return $"The parent of joint {name} must be {NameOf(expected)}, not {NameOf(joint.Parent?.Name)}.";
+        return $"The parent of joint {joint.Name} must be {expected?.Name ?? "nothing"}, not {joint.Parent?.Name ?? "nothing"}.";
     }
-
-    private static bool IsReference(BvhJoint? joint) => joint is { Parent: null, Name: ReferenceName };
-
-    private static string NameOf(string? parent) => parent ?? "nothing";
 
     private void CheckRow(ReadOnlySpan<float> row)
     {

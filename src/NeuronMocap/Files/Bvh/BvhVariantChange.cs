@@ -42,7 +42,10 @@ internal static class BvhVariantChange
     private static void Rename(BvhHierarchyDraft draft, BvhSkeletonMap map, SkeletonVariant variant)
     {
         foreach (Bone bone in (Bone[])[Bone.Neck, Bone.Neck1])
-            draft[map[bone].Index].Name = BoneHierarchy.GetName(bone, variant);
+        {
+            string prefix = map[bone].Name[..^BoneHierarchy.GetName(bone, map.Format.Variant).Length];
+            draft[map[bone].Index].Name = prefix + BoneHierarchy.GetName(bone, variant);
+        }
     }
 
     // Returns whether a shoulder that is fixed to one bone moves relative to the other.
