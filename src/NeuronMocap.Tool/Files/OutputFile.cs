@@ -1,17 +1,18 @@
-
 namespace NeuronMocap.Tool.Files;
 
 /// <summary>A file that is written under a temporary name and renamed when it is complete.</summary>
 /// <remarks>
-/// An existing file stays until then, and a run that ends early leaves nothing. Thread-safe, so that a run can be abandoned while a thread still
-/// writes.
+/// An existing file stays until then, and a run that ends early leaves nothing. A symbolic link stays, and its target is replaced. The new file has the
+/// permissions of the old one. Thread-safe, so that a run can be abandoned while a thread still writes.
 /// </remarks>
 /// <param name="path">The final path.</param>
 /// <param name="overwrite">Whether an existing file is replaced.</param>
 internal sealed class OutputFile(string path, bool overwrite) : IDisposable
 {
     private readonly Lock _lock = new();
-    private readonly string _temporaryPath = $"{path}.{Environment.ProcessId}.part{Path.GetExtension(path)}";
+
+    // The path, or what it links to.
+    private string? _target;
     private bool _isGivenUp;
     private bool _isBegun;
 
@@ -29,10 +30,10 @@ internal sealed class OutputFile(string path, bool overwrite) : IDisposable
                 Begin();
             }
 
-            write(_temporaryPath);
+            write(TemporaryPath);
             Keep();
         }
-        catch (Exception exception) when (exception is IOException or UnauthorizedAccessException && exception.Message.Contains(TemporaryName, StringComparison.Ordinal))
+        catch (Exception exception) when (exception is IOException or UnauthorizedAccessException && exception.Message.Contains(Path.GetFileName(TemporaryPath), StringComparison.Ordinal))
         {
             // The message names the final path, because users do not know the temporary name.
             throw new IOException(FileFault.OfWriting(exception, path), exception);
@@ -49,12 +50,13 @@ internal sealed class OutputFile(string path, bool overwrite) : IDisposable
         lock (_lock)
         {
             _isGivenUp = true;
-            if (_isBegun && File.Exists(_temporaryPath))
-                File.Delete(_temporaryPath);
+            if (_isBegun && File.Exists(TemporaryPath))
+                File.Delete(TemporaryPath);
         }
     }
 
-    private string TemporaryName => Path.GetFileName(_temporaryPath);
+    // Without the extension of the file, so that *.csv is never half of a file.
+    private string TemporaryPath => $"{_target}.{Environment.ProcessId}.part";
 
     private void Check()
     {
@@ -69,6 +71,7 @@ internal sealed class OutputFile(string path, bool overwrite) : IDisposable
         if (_isGivenUp)
             throw new OperationCanceledException();
 
+        _target = new FileInfo(path) is { LinkTarget: not null } link ? link.ResolveLinkTarget(returnFinalTarget: true)!.FullName : path;
         _isBegun = true;
     }
 
@@ -79,7 +82,10 @@ internal sealed class OutputFile(string path, bool overwrite) : IDisposable
             if (_isGivenUp)
                 throw new OperationCanceledException();
 
-            File.Move(_temporaryPath, path, overwrite);
+            if (!OperatingSystem.IsWindows() && File.Exists(_target))
+                File.SetUnixFileMode(TemporaryPath, File.GetUnixFileMode(_target));
+
+            File.Move(TemporaryPath, _target!, overwrite);
             _isBegun = false;
         }
     }
