@@ -75,22 +75,10 @@ internal static class StreamWarnings
 
         if (reader.GetStatistics().BytesSkipped > 0)
             summary.AddWarning($"{Quantity.Bytes(reader.GetStatistics().BytesSkipped)} are not frames");
-        if (hasMotion && !isStudio && settings.InputOrder is null && !KnowsOrder(settings.Input))
+        if (hasMotion && !isStudio && !settings.KnowsOrder())
             summary.AddWarning("the rotation order of the stream is not known, and YXZ is assumed; set --order if it differs");
         if (others > 0)
             summary.AddLoss($"{Quantity.Count(others, "frame")} of other avatars or kinds");
-    }
-
-    private static bool KnowsOrder(string path)
-    {
-        using FileStream file = new(path, FileMode.Open, FileAccess.Read, FileShare.ReadWrite | FileShare.Delete);
-        byte[] start = new byte[64];
-        int count = file.ReadAtLeast(start, start.Length, throwOnEndOfStream: false);
-        if (!RecordingReader.IsRecording(start.AsSpan(0, count)))
-            return false;
-
-        using RecordingReader reader = RecordingReader.Open(path);
-        return reader.Metadata[RecordingMetadata.RotationOrderKey] is not null;
     }
 
     private static RecordedFrameReader? TryOpen(string path)

@@ -80,6 +80,26 @@ internal sealed record FileSettings(string Input, string? Output)
     /// <inheritdoc cref="Selects(AvatarFrame)"/>
     public bool Selects(int sender, int avatar) => sender == (Sender ?? sender) && avatar == (Avatar ?? avatar);
 
+    /// <summary>
+    /// Whether these settings or the metadata of a recording give the rotation order of a stream. Otherwise it is assumed, because packets of Axis Neuron do
+    /// not contain it.
+    /// </summary>
+    /// <exception cref="IOException">The input cannot be read.</exception>
+    public bool KnowsOrder()
+    {
+        if (InputOrder is not null)
+            return true;
+
+        using var file = new FileStream(Input, FileMode.Open, FileAccess.Read, FileShare.ReadWrite | FileShare.Delete);
+        byte[] start = new byte[64];
+        int count = file.ReadAtLeast(start, start.Length, throwOnEndOfStream: false);
+        if (!RecordingReader.IsRecording(start.AsSpan(0, count)))
+            return false;
+
+        using RecordingReader reader = RecordingReader.Open(Input);
+        return reader.Metadata.RotationOrder is not null;
+    }
+
     /// <summary>Determines the kind of the input.</summary>
     /// <exception cref="NeuronException">The input cannot be read, or not with these settings.</exception>
     /// <exception cref="IOException">The input does not exist or cannot be read.</exception>

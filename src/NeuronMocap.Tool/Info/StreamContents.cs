@@ -38,6 +38,9 @@ internal sealed class StreamContents
     /// <summary>Whether the selected avatar, or any, has motion frames of the 59 bones.</summary>
     public bool HasPoses(FileSettings settings) => _frames.Any(pair => pair.Value.HasSkeleton && settings.Selects(pair.Key.Source, pair.Key.Avatar));
 
+    /// <summary>Whether the selected avatar, or any, has motion frames of Axis Studio, whose rotation order is always the same.</summary>
+    public bool HasStudioPoses(FileSettings settings) => _frames.Any(pair => pair.Value.HasStudioMotion && settings.Selects(pair.Key.Source, pair.Key.Avatar));
+
     /// <summary>Whether the selected avatar, or any, has calculation frames of Axis Neuron.</summary>
     public bool HasCalculation(FileSettings settings) =>
         _frames.Keys.Any(key => key.Kind == PacketKind.Calculation && settings.Selects(key.Source, key.Avatar));
@@ -155,6 +158,8 @@ internal sealed class StreamContents
 
         public bool HasSkeleton { get; private set; }
 
+        public bool HasStudioMotion { get; private set; }
+
         public TimeSpan LongestInterval { get; private set; }
 
         public double? FrameRate => _timing.MeasuredRate;
@@ -162,6 +167,7 @@ internal sealed class StreamContents
         public void Take(AvatarFrame frame, TimeSpan time, int connection)
         {
             HasSkeleton |= frame is MotionFrame { HasSkeleton: true };
+            HasStudioMotion |= frame is MotionFrame { Header.Version: var version } && version == DataVersion.Studio;
             _timing.Add(frame.FrameIndex, time, connection);
             if (_last is { } last && time - last > LongestInterval)
                 LongestInterval = time - last;

@@ -24,14 +24,14 @@ internal sealed class StreamInspection(FileSettings settings, bool isRecording, 
         StreamContents contents = StreamContents.Read(settings.Input, settings.Playback, progress, cancellationToken);
         contents.AddTo(report, isRecording);
         if (contents.HasPoses(settings))
-            AddTake(report, cancellationToken);
+            AddTake(report, isOrderKnown: contents.HasStudioPoses(settings) || settings.KnowsOrder(), cancellationToken);
         else if (contents.HasCalculation(settings))
             AddMotion(report, InputTake.Load(settings, FileKind.Recording, progress, cancellationToken).Motion, hasBody: true, cancellationToken);
 
         return report;
     }
 
-    private void AddTake(InfoReport report, CancellationToken cancellationToken)
+    private void AddTake(InfoReport report, bool isOrderKnown, CancellationToken cancellationToken)
     {
         RecordingSource source = RecordingSource.Load(settings.Input, settings.Avatar, settings.Sender, settings.Playback, progress, cancellationToken);
         double duration = source.FrameCount!.Value / source.FrameRate;
@@ -44,7 +44,8 @@ internal sealed class StreamInspection(FileSettings settings, bool isRecording, 
         take.Add("frameRate", "frame rate", DescribeFrameRate(source), source.FrameRate);
         take.Add("measuredRate", string.Empty, null, source.MeasuredFrameRate ?? double.NaN);
         take.Add("variant", "bone names", source.Variant.ToString());
-        take.Add("rotationOrder", "rotation order", source.Format.RotationOrder.ToString());
+        string order = source.Format.RotationOrder.ToString();
+        take.Add("rotationOrder", "rotation order", isOrderKnown ? order : order + ", assumed; --order sets another one", order);
         take.Add("displacement", "displacement", source.Layout.HasDisplacement ? "on" : "off", source.Layout.HasDisplacement);
         take.Add("reference", "reference", source.Layout.HasReference ? "on" : "off", source.Layout.HasReference);
 

@@ -1,5 +1,6 @@
 using System.Net;
 using System.Reflection;
+using NeuronMocap.Files;
 using NeuronMocap.Server;
 using NeuronMocap.Tool.Arguments;
 using NeuronMocap.Tool.Simulate;
@@ -101,10 +102,7 @@ internal sealed class ViewRun(ViewOptions options, StandardStreams streams)
         }
         catch (Exception exception) when (exception is IOException or UnauthorizedAccessException)
         {
-            string variable = OperatingSystem.IsWindows() ? "TMP" : "TMPDIR";
-            throw ApiException.Conflict(
-                $"the folder for temporary files, '{Path.GetTempPath()}', cannot be used: it does not exist, its disk is full, or this user may not write there. "
-                + $"Set {variable} to another folder.");
+            throw ApiException.Conflict(TemporaryFolderFault.Describe());
         }
     }
 

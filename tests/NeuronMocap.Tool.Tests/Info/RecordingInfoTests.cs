@@ -46,6 +46,25 @@ public sealed class RecordingInfoTests : InfoPages
     }
 
     [Fact]
+    public async Task A_rotation_order_that_the_file_does_not_state_is_called_assumed()
+    {
+        await File.WriteAllBytesAsync(Folder["raw.bin"], Packet(0, "Anna", 1), TestContext.Current.CancellationToken);
+        foreach ((string name, RecordingMetadata metadata) in ((string, RecordingMetadata)[])[("plain.nmrec", RecordingMetadata.Empty), ("zxy.nmrec", RecordingMetadata.Empty.With(RecordingMetadata.RotationOrderKey, "ZXY"))])
+        {
+            using RecordingWriter writer = RecordingWriter.Create(Folder[name], metadata);
+            writer.OpenConnection(TimeSpan.Zero, new RecordedConnection(0, TransportKind.Tcp, string.Empty, string.Empty));
+            writer.WriteBytes(TimeSpan.Zero, 0, Packet(0, "Anna", 1));
+        }
+
+        const string Assumed = "YXZ, assumed; --order sets another one";
+        Assert.Equal(Assumed, Fact(await PageAsync("raw.bin"), "rotation order"));
+        Assert.Equal(Assumed, Fact(await PageAsync("plain.nmrec"), "rotation order"));
+        Assert.Equal("XYZ", Fact(await PageAsync("plain.nmrec", "--order", "xyz"), "rotation order"));
+        Assert.Equal("ZXY", Fact(await PageAsync("zxy.nmrec"), "rotation order"));
+        Assert.Equal("YXZ", (await JsonAsync("plain.nmrec")).GetProperty("take").GetProperty("rotationOrder").GetString());
+    }
+
+    [Fact]
     public async Task A_recording_of_many_connections_lists_the_first_of_them()
     {
         using (RecordingWriter writer = RecordingWriter.Create(Folder["take.nmrec"]))

@@ -33,10 +33,7 @@ public sealed class PlotTests : IDisposable
     [Fact]
     public async Task A_damaged_file_is_drawn_and_its_faults_are_reported()
     {
-        Takes.StraightWalk().Save(_folder["walk.bvh"]);
-        string text = await File.ReadAllTextAsync(_folder["walk.bvh"], TestContext.Current.CancellationToken);
-        _folder.Write("bad.bvh", text.TrimEnd() + "\n1 2 3\n");
-        ToolResult result = await ToolRunner.RunAsync("plot", _folder["bad.bvh"], _folder["bad.svg"]);
+        ToolResult result = await ToolRunner.RunAsync("plot", await WriteDamagedAsync(), _folder["bad.svg"]);
         Assert.Equal(0, result.ExitCode);
         Assert.True(File.Exists(_folder["bad.svg"]));
         string line = Assert.Single(result.Error);
@@ -47,10 +44,7 @@ public sealed class PlotTests : IDisposable
     [Fact]
     public async Task A_damaged_file_that_is_not_drawn_has_one_line()
     {
-        Takes.StraightWalk().Save(_folder["walk.bvh"]);
-        string text = await File.ReadAllTextAsync(_folder["walk.bvh"], TestContext.Current.CancellationToken);
-        _folder.Write("bad.bvh", text.TrimEnd() + "\n1 2 3\n");
-        ToolResult result = await ToolRunner.RunAsync("plot", _folder["bad.bvh"], _folder["bad.svg"], "--from", "1000");
+        ToolResult result = await ToolRunner.RunAsync("plot", await WriteDamagedAsync(), _folder["bad.svg"], "--from", "1000");
         Assert.Equal(1, result.ExitCode);
         Assert.DoesNotContain("left out", Assert.Single(result.Error), StringComparison.Ordinal);
     }
@@ -242,4 +236,12 @@ public sealed class PlotTests : IDisposable
     public void Dispose() => _folder.Dispose();
 
     private Task<byte[]> ReadAsync(string name) => File.ReadAllBytesAsync(_folder[name], TestContext.Current.CancellationToken);
+
+    // Its last row is too short.
+    private async Task<string> WriteDamagedAsync()
+    {
+        Takes.StraightWalk().Save(_folder["walk.bvh"]);
+        string text = await File.ReadAllTextAsync(_folder["walk.bvh"], TestContext.Current.CancellationToken);
+        return _folder.Write("bad.bvh", text.TrimEnd() + "\n1 2 3\n");
+    }
 }

@@ -120,7 +120,7 @@ public sealed class ViewProcessTests : IDisposable
         using var view = new ToolProcess(("TMPDIR", _folder["missing"]), "neuron-mocap", ["view", "demo", "--port", "0"]);
         Assert.Equal(1, await view.WaitForExitAsync());
         string line = Assert.Single((await view.ReadErrorAsync()).Split('\n', StringSplitOptions.RemoveEmptyEntries));
-        Assert.StartsWith($"neuron-mocap: the folder for temporary files, '{_folder["missing"]}", line, StringComparison.Ordinal);
+        Assert.StartsWith($"neuron-mocap: The folder for temporary files, '{_folder["missing"]}", line, StringComparison.Ordinal);
         Assert.Contains("TMPDIR", line, StringComparison.Ordinal);
     }
 

@@ -26,10 +26,10 @@ internal static class AvatarTable
         new("frames", 10, 12, Justify.Right),
         new("lost", 6, 8, Justify.Right),
         new("gaps", 6, 6, Justify.Right, From: Widest),
-        new("out of order", 6, 12, Justify.Right, From: Usual, Short: "late"),
+        new("out of order", 6, 14, Justify.Right, From: Usual, Short: "late"),
         new("restarts", 8, 8, Justify.Right, From: Widest),
-        new("age", 7, 8, Justify.Right),
-        new("feet", 4, 5, Justify.Left),
+        new("age", 7, 7, Justify.Right),
+        new("feet", 4, 4, Justify.Left),
     ];
 
     private static readonly TimeSpan Stale = TimeSpan.FromSeconds(1);

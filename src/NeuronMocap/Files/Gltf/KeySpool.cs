@@ -1,3 +1,4 @@
+using NeuronMocap.Files;
 using NeuronMocap.Skeleton;
 
 namespace NeuronMocap.Gltf;
@@ -44,7 +45,7 @@ internal sealed class KeySpool(long limit = KeySpool.LargestFile, int memory = K
         }
         catch (Exception exception) when (IsOfDisk(exception))
         {
-            throw FolderFault(exception);
+            throw new IOException(TemporaryFolderFault.Describe(), exception);
         }
     }
 
@@ -64,7 +65,7 @@ internal sealed class KeySpool(long limit = KeySpool.LargestFile, int memory = K
         }
         catch (Exception exception) when (IsOfDisk(exception))
         {
-            throw FolderFault(exception);
+            throw new IOException(TemporaryFolderFault.Describe(), exception);
         }
     }
 
@@ -108,13 +109,4 @@ internal sealed class KeySpool(long limit = KeySpool.LargestFile, int memory = K
     // A file that is too large for its disk is an argument out of range.
     private static bool IsOfDisk(Exception exception) =>
         exception is (IOException and not EndOfStreamException) or UnauthorizedAccessException or ArgumentOutOfRangeException;
-
-    private static IOException FolderFault(Exception exception)
-    {
-        string variable = OperatingSystem.IsWindows() ? "TMP" : "TMPDIR";
-        return new IOException(
-            $"The folder for temporary files, '{Path.GetTempPath()}', cannot be used: it does not exist, its disk is full, or this user may not write there. "
-            + $"Set {variable} to another folder.",
-            exception);
-    }
 }
