@@ -66,7 +66,7 @@ udp.SetAction((result, _) => Udp.RunAsync(result.GetValue(senders)!, result.GetV
 
 var growthCounts = new Option<int[]>("--counts") { Description = "Numbers, the smallest of which is the floor.", DefaultValueFactory = _ => [1, 10, 100, 1000], AllowMultipleArgumentsPerToken = true };
 var hours = new Option<double[]>("--hours") { Description = "Lengths of recordings.", DefaultValueFactory = _ => [0.1, 1, 10], AllowMultipleArgumentsPerToken = true };
-var growthTool = new Option<FileInfo?>("--tool") { Description = "neuron-mocap.dll, of which info is measured." };
+var growthTool = new Option<FileInfo?>("--tool") { Description = "neuron-mocap.dll, whose command info is measured." };
 var growth = new Command("growth", "Cost of a frame as connections, avatars, consumers, clients and recordings grow.") { growthCounts, hours, growthTool, Seconds, Runs, Json };
 growth.SetAction((result, _) => Growth.RunAsync(
     result.GetValue(growthCounts)!, result.GetValue(hours)!, result.GetValue(growthTool), result.GetValue(Seconds), result.GetValue(Runs), Open(result)));

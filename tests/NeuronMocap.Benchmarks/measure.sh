@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Measures the tables of docs/internals/performance.md, and the curves beside it.
-#   measure.sh [FOLDER]            all of them, in an hour and a half. Prints them, and writes every figure as JSON to the folder, by default "results". During
+#   measure.sh [FOLDER]            all of them, in about three hours. Prints them, and writes every figure as JSON to the folder, by default "results". During
 #                                  this time, the machine should do nothing else.
 #   measure.sh --only NAMES …      only these, such as --only "throughput udp".
 #   measure.sh --update …          then writes the tables into the page. A table that was not measured stays as it is.
@@ -78,13 +78,13 @@ measure() {
 }
 
 for framework in net8.0 netstandard2.1; do
-    for command in bvh decode avatars consumers throughput latency streams broadcast kinematics messages retarget record window playback; do
+    for command in bvh decode avatars consumers throughput latency streams kinematics messages retarget record window playback; do
         measure "$framework" "$command"
     done
 done
 
-# Only this build takes pipes, and relays on the receive thread.
-for command in pipe relay web udp idle check; do
+# Only this build takes pipes, and relays and serves without further threads.
+for command in broadcast pipe relay web udp idle check; do
     measure net8.0 "$command"
 done
 

@@ -2,8 +2,8 @@ namespace NeuronMocap.Tool.Files;
 
 /// <summary>A file that is written under a temporary name and renamed when it is complete.</summary>
 /// <remarks>
-/// An existing file stays until then, and a run that ends early leaves nothing. A symbolic link stays, and its target is replaced. The new file has the
-/// permissions of the old one. Thread-safe, so that a run can be abandoned while a thread still writes.
+/// An existing file stays until then, and a run that ends early leaves nothing. A symbolic link stays, and its target is replaced. On Linux
+/// and macOS, the complete file gets the permission bits of the one that it replaces. Thread-safe, so that a run can be abandoned while a thread still writes.
 /// </remarks>
 /// <param name="path">The final path.</param>
 /// <param name="overwrite">Whether an existing file is replaced.</param>
@@ -13,6 +13,7 @@ internal sealed class OutputFile(string path, bool overwrite) : IDisposable
 
     // The path, or what it links to.
     private string? _target;
+    private UnixFileMode? _mode;
     private bool _isGivenUp;
     private bool _isBegun;
 
@@ -36,7 +37,7 @@ internal sealed class OutputFile(string path, bool overwrite) : IDisposable
         catch (Exception exception) when (exception is IOException or UnauthorizedAccessException && exception.Message.Contains(Path.GetFileName(TemporaryPath), StringComparison.Ordinal))
         {
             // The message names the final path, because users do not know the temporary name.
-            throw new IOException(FileFault.OfWriting(exception, path), exception);
+            throw new IOException(FileFault.OfWriting(exception, _target ?? path), exception);
         }
         finally
         {
@@ -71,7 +72,8 @@ internal sealed class OutputFile(string path, bool overwrite) : IDisposable
         if (_isGivenUp)
             throw new OperationCanceledException();
 
-        _target = new FileInfo(path) is { LinkTarget: not null } link ? link.ResolveLinkTarget(returnFinalTarget: true)!.FullName : path;
+        _target = (new FileInfo(path) is { LinkTarget: not null } link ? link.ResolveLinkTarget(returnFinalTarget: true)?.FullName : null) ?? path;
+        _mode = !OperatingSystem.IsWindows() && File.Exists(_target) ? File.GetUnixFileMode(_target) : null;
         _isBegun = true;
     }
 
@@ -82,8 +84,9 @@ internal sealed class OutputFile(string path, bool overwrite) : IDisposable
             if (_isGivenUp)
                 throw new OperationCanceledException();
 
-            if (!OperatingSystem.IsWindows() && File.Exists(_target))
-                File.SetUnixFileMode(TemporaryPath, File.GetUnixFileMode(_target));
+            // Some file systems refuse to set permissions, and then all files have the same.
+            if (!OperatingSystem.IsWindows() && _mode is { } mode && File.GetUnixFileMode(TemporaryPath) != mode)
+                File.SetUnixFileMode(TemporaryPath, mode);
 
             File.Move(TemporaryPath, _target!, overwrite);
             _isBegun = false;

@@ -38,8 +38,8 @@ internal sealed class StreamContents
     /// <summary>Whether the selected avatar, or any, has motion frames of the 59 bones.</summary>
     public bool HasPoses(FileSettings settings) => _frames.Any(pair => pair.Value.HasSkeleton && settings.Selects(pair.Key.Source, pair.Key.Avatar));
 
-    /// <summary>Whether the selected avatar, or any, has motion frames of Axis Studio, whose rotation order is always the same.</summary>
-    public bool HasStudioPoses(FileSettings settings) => _frames.Any(pair => pair.Value.HasStudioMotion && settings.Selects(pair.Key.Source, pair.Key.Avatar));
+    /// <summary>Whether an avatar has motion frames of Axis Studio, which contain their rotation order.</summary>
+    public bool HasStudioMotion(int sender, int avatar) => _frames.GetValueOrDefault((PacketKind.Motion, sender, avatar)) is { HasStudioMotion: true };
 
     /// <summary>Whether the selected avatar, or any, has calculation frames of Axis Neuron.</summary>
     public bool HasCalculation(FileSettings settings) =>
@@ -167,7 +167,7 @@ internal sealed class StreamContents
         public void Take(AvatarFrame frame, TimeSpan time, int connection)
         {
             HasSkeleton |= frame is MotionFrame { HasSkeleton: true };
-            HasStudioMotion |= frame is MotionFrame { Header.Version: var version } && version == DataVersion.Studio;
+            HasStudioMotion |= frame is MotionFrame { HasSkeleton: true, Header.Version: var version } && version == DataVersion.Studio;
             _timing.Add(frame.FrameIndex, time, connection);
             if (_last is { } last && time - last > LongestInterval)
                 LongestInterval = time - last;

@@ -24,14 +24,14 @@ internal sealed class StreamInspection(FileSettings settings, bool isRecording, 
         StreamContents contents = StreamContents.Read(settings.Input, settings.Playback, progress, cancellationToken);
         contents.AddTo(report, isRecording);
         if (contents.HasPoses(settings))
-            AddTake(report, isOrderKnown: contents.HasStudioPoses(settings) || settings.KnowsOrder(), cancellationToken);
+            AddTake(report, contents, cancellationToken);
         else if (contents.HasCalculation(settings))
             AddMotion(report, InputTake.Load(settings, FileKind.Recording, progress, cancellationToken).Motion, hasBody: true, cancellationToken);
 
         return report;
     }
 
-    private void AddTake(InfoReport report, bool isOrderKnown, CancellationToken cancellationToken)
+    private void AddTake(InfoReport report, StreamContents contents, CancellationToken cancellationToken)
     {
         RecordingSource source = RecordingSource.Load(settings.Input, settings.Avatar, settings.Sender, settings.Playback, progress, cancellationToken);
         double duration = source.FrameCount!.Value / source.FrameRate;
@@ -45,6 +45,7 @@ internal sealed class StreamInspection(FileSettings settings, bool isRecording, 
         take.Add("measuredRate", string.Empty, null, source.MeasuredFrameRate ?? double.NaN);
         take.Add("variant", "bone names", source.Variant.ToString());
         string order = source.Format.RotationOrder.ToString();
+        bool isOrderKnown = contents.HasStudioMotion(source.Sender, source.AvatarIndex) || settings.KnowsOrder();
         take.Add("rotationOrder", "rotation order", isOrderKnown ? order : order + ", assumed; --order sets another one", order);
         take.Add("displacement", "displacement", source.Layout.HasDisplacement ? "on" : "off", source.Layout.HasDisplacement);
         take.Add("reference", "reference", source.Layout.HasReference ? "on" : "off", source.Layout.HasReference);

@@ -55,11 +55,12 @@ internal static class Broadcast
         return report.End();
     }
 
-    public static async Task<Measurements> PacedAsync(int count, double seconds, bool withIdler)
+    // warmFrames: frames at the start that do not count.
+    public static async Task<Measurements> PacedAsync(int count, double seconds, bool withIdler, double rate = Rate, int warmFrames = WarmFrames)
     {
-        var costs = new FrameCosts(WarmFrames);
-        long frames = FramesIn(seconds);
-        using Broadcaster server = CreateServer(Rate, frames, costs);
+        var costs = new FrameCosts(warmFrames);
+        long frames = warmFrames + (long)(rate * seconds);
+        using Broadcaster server = CreateServer(rate, frames, costs);
         server.Start();
         Measurements figures = await MeasureAsync(server.LocalEndPoint!.Port, count, withIdler, frames, costs, () => server.Completion);
         if (server.GetStatistics().FramesSent > (count * frames) + WarmFrames)
@@ -93,7 +94,7 @@ internal static class Broadcast
     private static async Task<Measurements> RawPacedAsync(int count, double seconds)
     {
         using var listener = Listen(count);
-        long frames = FramesIn(seconds);
+        long frames = WarmFrames + (long)(Rate * seconds);
         var costs = new FrameCosts(WarmFrames);
         Task serving = ServeAsync(listener, count, (socket, client) =>
         {
@@ -155,8 +156,6 @@ internal static class Broadcast
         // The first client starts the frames, so the others miss the frames sent while they connect. These come before the first frame of each, and do not count.
         return new Measurements { [Cost] = costs.Mean / count, [MedianCost] = costs.Median / count, ["lost"] = missing + frames - 1 - last };
     }
-
-    private static long FramesIn(double seconds) => WarmFrames + (long)(Rate * seconds);
 
     private static TcpListener Listen(int count)
     {

@@ -1,4 +1,5 @@
 using System.Diagnostics;
+using System.Text.Json;
 using NeuronMocap.Benchmarks.Harness;
 using NeuronMocap.Benchmarks.Peers;
 using NeuronMocap.Protocol;
@@ -8,7 +9,7 @@ using NeuronMocap.Skeleton;
 
 namespace NeuronMocap.Benchmarks.Macro;
 
-// Recordings of some hours: opening, moving to an instant and reading its first entry, reading all entries, and the program's command info.
+// Recordings of some hours: opening, moving to an instant and reading the first frame after it, reading all entries, and the program's command info.
 internal static class GrowthOfRecordings
 {
     public const string Case = "recordings";
@@ -16,7 +17,7 @@ internal static class GrowthOfRecordings
     private const int Opens = 20;
     private const int Jumps = 200;
 
-    // tool: the program, of which info is measured. Without it, the other figures are measured.
+    // tool: the program whose command info is measured. Null to leave it out.
     public static async Task RunAsync(double[] hours, FileInfo? tool, int runs, Report report)
     {
         DirectoryInfo folder = Directory.CreateTempSubdirectory("growth");
@@ -76,9 +77,17 @@ internal static class GrowthOfRecordings
         var random = new Random(1);
         double seek = MillisecondsOf(Jumps, () =>
         {
-            reader.Seek(random.NextDouble() * reader.Duration);
-            if (!reader.TryRead(out _))
-                throw new InvalidOperationException("There is no entry at this instant.");
+            TimeSpan position = random.NextDouble() * reader.Duration;
+            reader.Seek(position);
+
+            // Descriptions of the connections come first.
+            while (reader.TryRead(out RecordingEntry entry))
+            {
+                if (entry.Kind == RecordingEntryKind.Bytes && entry.Time >= position)
+                    return;
+            }
+
+            throw new InvalidOperationException("There is no frame after this instant.");
         });
 
         reader.Seek(TimeSpan.Zero);
@@ -114,7 +123,7 @@ internal static class GrowthOfRecordings
         string printed = await process.StandardOutput.ReadToEndAsync();
         await process.WaitForExitAsync();
         double elapsed = Stopwatch.GetElapsedTime(start).TotalMilliseconds;
-        if (process.ExitCode != 0 || !printed.Contains(Peer.Text(frames), StringComparison.Ordinal))
+        if (process.ExitCode != 0 || JsonDocument.Parse(printed).RootElement.GetProperty("stream").GetProperty("motionFrames").GetInt64() != frames)
             throw new InvalidOperationException($"info did not count {frames} frames:\n{printed}");
 
         return elapsed;

@@ -6,12 +6,12 @@ namespace NeuronMocap.Benchmarks.Page;
 // The curves of growth, in two pictures.
 internal static class GrowthChart
 {
-    // The cost of a frame for each of some, as the ratio to the floor, which is one of them.
+    // The cost of a frame, as the ratio to that of the smallest number.
     public static string DrawCounts(Results results, string figure) => LogChart.Draw(
         "Cost of a frame for each connection, avatar, consumer or client",
         "number",
         "ratio to the cost of one",
-        [.. results.Rows.Where(row => row.Figure == figure).GroupBy(static row => row.Case)
+        [.. results.Rows.Where(row => row.Figure == figure && (row.IsFloor || row.Ratio is not null)).GroupBy(static row => row.Case)
             .Select(static rows => CurveOf(rows.Key, rows, static row => row.Ratio ?? new Spread(1, 1, 1)))]);
 
     // The times of the calls of a case, whose ways are lengths.

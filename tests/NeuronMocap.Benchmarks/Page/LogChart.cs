@@ -4,8 +4,7 @@ using NeuronMocap.Benchmarks.Harness;
 
 namespace NeuronMocap.Benchmarks.Page;
 
-// Curves as SVG. Both axes are in powers of ten, so a straight line is a power, and a line whose slope is 1 is proportional. The bars are the lowest and the
-// highest run.
+// Curves as SVG. Both axes are in powers of ten, so a slope of one decade a decade means proportional growth. The bars are the lowest and the highest run.
 internal sealed class LogChart
 {
     private const double Width = 720;
@@ -34,6 +33,9 @@ internal sealed class LogChart
     public static string Draw(string title, string xTitle, string yTitle, IReadOnlyList<Curve> curves)
     {
         Point[] points = [.. curves.SelectMany(static curve => curve.Points)];
+        if (points.Length == 0 || Array.Exists(points, static point => !(point.X > 0 && point.Y.Low > 0)))
+            throw new ArgumentException("There must be points, and all their values must be above zero.", nameof(curves));
+
         var chart = new LogChart(
             PowersAround(points.Min(static point => point.X), points.Max(static point => point.X)),
             PowersAround(points.Min(static point => point.Y.Low), points.Max(static point => point.Y.High)));

@@ -81,14 +81,27 @@ internal static partial class PageTables
     private static string Aims(IEnumerable<Row> line, IReadOnlyList<string> figures)
     {
         Row[] aimed = [.. line.Where(row => row.Aim is not null && figures.Contains(row.Figure))];
-        Row[] missed = [.. aimed.Where(static row => row.IsMet == false)];
-        return missed.Length > 0 ? "missed: " + string.Join(", ", missed.Select(static row => $"{row.Figure} {row.Aim}")) : aimed.Length > 0 ? "met" : string.Empty;
+        return string.Join("; ", aimed.GroupBy(static row => row.IsMet == true).OrderBy(static part => part.Key)
+            .Select(static part => $"{(part.Key ? "met" : "missed")}: {string.Join(", ", part.Select(Describe))}"));
+    }
+
+    // Figure and aim. The value stands between them if the cell does not show it, or not exactly enough.
+    private static string Describe(Row row)
+    {
+        bool isRatio = row.Aim!.EndsWith('×');
+        double value = isRatio ? row.Ratio!.Median : row.Value;
+        bool isHidden = !isRatio && HasRatio(row);
+        bool isClose = row.IsMet == false && Report.Text(value) == Report.Text(double.Parse(row.Aim.Split(' ')[1], CultureInfo.InvariantCulture));
+        string shown = isClose ? value.ToString("0.000 ", CultureInfo.InvariantCulture) : isHidden ? Report.Text(value) + " " : string.Empty;
+        return $"{row.Figure} {shown}{row.Aim}";
     }
 
     // Measurements that are read as they are, although the floor has them, too.
     private static bool IsPlain(string figure) => figure.Contains('%') || figure.Contains("B/", StringComparison.Ordinal) || figure is "cores" or "threads" or "lost" or "wake-ups/s";
 
-    private static string Cell(Row row) => row.Ratio is { } ratio && !IsPlain(row.Figure)
+    private static bool HasRatio(Row row) => row.Ratio is not null && !IsPlain(row.Figure);
+
+    private static string Cell(Row row) => HasRatio(row) && row.Ratio is { } ratio
         ? $"{Report.Text(ratio.Median)}{Times} ({Report.Text(ratio.Low)} to {Report.Text(ratio.High)})"
         : row.Values is { } values && values.Low != values.High ? $"{Report.Text(row.Value)} ({Report.Text(values.Low)} to {Report.Text(values.High)})" : Report.Text(row.Value);
 

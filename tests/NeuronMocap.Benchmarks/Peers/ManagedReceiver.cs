@@ -11,7 +11,7 @@ internal static class ManagedReceiver
 {
     public static async Task RunAsync(string way, string mode, int port, int frames)
     {
-        List<long> delays = new(frames);
+        List<long> delays = new(mode == "latency" ? frames : 0);
         long received = 0;
         long begun = 0;
         TimeSpan cpu = default;

@@ -72,8 +72,8 @@ public sealed class PerformanceTableTests
         string page = PageTables.Update(Aimed, _ => Net with { Rows = rows });
         Assert.Contains("| | | ns/frame | B/frame | aims |\n|---|---|---|---|---|\n", page, StringComparison.Ordinal);
         Assert.Contains("| one frame | copy | 10.0 (9.00 to 11.0) |  |  |\n", page, StringComparison.Ordinal);
-        Assert.Contains("|  | callback | 2.50 × (2.00 to 3.00) | 1.00 | met |\n", page, StringComparison.Ordinal);
-        Assert.Contains("|  | queue | 2.50 × (2.00 to 3.00) | 1.00 | missed: ns/frame ≤ 2 × |\n", page, StringComparison.Ordinal);
+        Assert.Contains("|  | callback | 2.50 × (2.00 to 3.00) | 1.00 | met: ns/frame ≤ 2 ×, B/frame ≤ 0 |\n", page, StringComparison.Ordinal);
+        Assert.Contains("|  | queue | 2.50 × (2.00 to 3.00) | 1.00 | missed: ns/frame ≤ 2 ×; met: B/frame ≤ 0 |\n", page, StringComparison.Ordinal);
         Assert.Contains("|  | newest | 2.50 × (2.00 to 3.00) | 1.00 | missed: ns/frame ≤ 2 ×, B/frame ≤ 0 |\n", page, StringComparison.Ordinal);
         Assert.Equal(new[] { 2.5, 2.5, 2.5 }, PageTables.ReadRatios(page, "net8.0-decode").Values);
 
@@ -85,10 +85,41 @@ public sealed class PerformanceTableTests
     }
 
     [Fact]
+    public void An_aim_has_the_value_where_the_cell_does_not_show_it()
+    {
+        Row[] rows =
+        [
+            new Row("one frame", "copy", "ns/frame", 10, null, null, null, null) { Values = new Spread(9, 10, 11), IsFloor = true },
+            new Row("one frame", "queue", "ns/frame", 8.54, 10, new Spread(0.7, 0.8473, 0.9), "≥ 0.85 ×", IsMet: false),
+            new Row("one frame", "newest", "ns/frame", 8.54, 10, new Spread(0.7, 0.8473, 0.9), "≤ 20", IsMet: true),
+        ];
+        string page = PageTables.Update(Page, name => name == "net8.0-decode" ? Net with { Rows = rows } : null);
+        Assert.Contains("missed: ns/frame 0.847 ≥ 0.85 × |", page, StringComparison.Ordinal);
+        Assert.Contains("met: ns/frame 8.54 ≤ 20 |", page, StringComparison.Ordinal);
+    }
+
+    [Theory]
+    [InlineData(0.001234, "0.001234")]
+    [InlineData(0.0000001, "0")]
+    [InlineData(0.01, "0.01")]
+    [InlineData(0.996, "1.00")]
+    [InlineData(12.34, "12.3")]
+    [InlineData(123456, "123,456")]
+    public void Small_figures_are_not_written_as_zero(double value, string text) => Assert.Equal(text, Report.Text(value));
+
+    [Fact]
+    public void What_is_not_above_zero_cannot_be_drawn()
+    {
+        Row zero = new("recordings", "1 h", "open, µs", 0, null, null, null, null) { Values = new Spread(0, 0, 1) };
+        Assert.Throws<ArgumentException>(() => GrowthChart.DrawRecordings(Net with { Rows = [zero] }, "recordings"));
+        Assert.Throws<ArgumentException>(() => GrowthChart.DrawRecordings(Net, "recordings"));
+    }
+
+    [Fact]
     public void Growth_is_drawn_as_curves()
     {
         (string Case, string Way, double Ratio)[] measured = [("clients", "1", 0), ("clients", "1000", 0.3), ("clients", "10", 0.2), ("avatars", "1", 0), ("avatars", "10", 1.1)];
-        Row[] counts = [.. measured.Select(static row => new Row(row.Case, row.Way, "CPU ns/frame", 5, null, row.Ratio > 0 ? new Spread(row.Ratio / 2, row.Ratio, row.Ratio * 2) : null, null, null))];
+        Row[] counts = [.. measured.Select(static row => new Row(row.Case, row.Way, "CPU ns/frame", 5, null, row.Ratio > 0 ? new Spread(row.Ratio / 2, row.Ratio, row.Ratio * 2) : null, null, null) { IsFloor = row.Ratio == 0 })];
         Row[] recordings = [.. from figure in new[] { "open, µs", "info, ms" } from hours in new[] { "0.1 h", "1 h", "10 h" }
             select new Row("recordings", hours, figure, 0, null, null, null, null) { Values = new Spread(20, 50, 400) }];
         var results = Net with { Rows = [.. counts, .. recordings] };

@@ -38,6 +38,17 @@ public sealed class OutputFileTests
     }
 
     [Fact]
+    public void A_link_into_a_missing_folder_is_an_error_that_names_the_folder()
+    {
+        Assert.SkipWhen(OperatingSystem.IsWindows(), "Symbolic links need a permission there.");
+        using var folder = new TemporaryFolder();
+        File.CreateSymbolicLink(folder["a.csv"], folder["takes/a.csv"]);
+        IOException exception = Assert.Throws<IOException>(() => Write(folder["a.csv"], overwrite: true));
+        Assert.Equal($"'{folder["takes"]}', the folder for 'a.csv', does not exist.", exception.Message);
+        Assert.Equal(["a.csv"], folder.Names);
+    }
+
+    [Fact]
     public void A_link_in_a_circle_is_an_error_that_names_it()
     {
         Assert.SkipWhen(OperatingSystem.IsWindows(), "Symbolic links need a permission there.");

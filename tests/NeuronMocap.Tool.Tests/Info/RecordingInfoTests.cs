@@ -1,4 +1,5 @@
 using System.Text.Json;
+using NeuronMocap.Protocol;
 using NeuronMocap.Recording;
 using NeuronMocap.Tool.Tests.Files;
 using NeuronMocap.Tool.Tests.Infrastructure;
@@ -62,6 +63,19 @@ public sealed class RecordingInfoTests : InfoPages
         Assert.Equal("XYZ", Fact(await PageAsync("plain.nmrec", "--order", "xyz"), "rotation order"));
         Assert.Equal("ZXY", Fact(await PageAsync("zxy.nmrec"), "rotation order"));
         Assert.Equal("YXZ", (await JsonAsync("plain.nmrec")).GetProperty("take").GetProperty("rotationOrder").GetString());
+    }
+
+    // Packets of Axis Studio contain it: 0 is XZY. The other avatars of a stream do not matter.
+    [Fact]
+    public async Task The_rotation_order_in_packets_is_known()
+    {
+        MotionFrame upright = Poses.Upright(1);
+        byte[] studio = new byte[upright.Header.PacketSize];
+        PacketEncoder.WriteMotion(studio, upright.Header with { Version = DataVersion.Studio, AvatarIndex = 1, AvatarName = new AvatarName("Ben") }, upright.Values);
+        await File.WriteAllBytesAsync(Folder["mix.bin"], [.. Packet(0, "Anna", 1), .. studio], TestContext.Current.CancellationToken);
+
+        Assert.Equal("YXZ, assumed; --order sets another one", Fact(await PageAsync("mix.bin"), "rotation order"));
+        Assert.Equal("XZY", Fact(await PageAsync("mix.bin", "--avatar", "1"), "rotation order"));
     }
 
     [Fact]

@@ -82,6 +82,20 @@ internal static class BvhSamples
         return text.Append("MOTION\nFrames: 1\nFrame Time: 0.017\n").AppendJoin(' ', Enumerable.Range(0, count)).Append('\n').ToString();
     }
 
+    /// <summary>A file of the 59 bones below another root. The root's own values are negative, so the others keep their index.</summary>
+    public static string UnderRoot(string name, string channels, SkeletonVariant variant = SkeletonVariant.Neck1, bool displacement = false)
+    {
+        int count = channels[0] - '0';
+        return Neuron(variant, displacement)
+            .Replace("ROOT Hips", $"ROOT {name}\n{{\nOFFSET 0 0 0\nCHANNELS {channels}\nJOINT Hips", StringComparison.Ordinal)
+            .Replace("MOTION", "}\nMOTION", StringComparison.Ordinal)
+            .Replace("0.017\n", $"0.017\n{string.Join(' ', Enumerable.Range(0, count).Select(i => $"-{count - i}"))} ", StringComparison.Ordinal);
+    }
+
+    /// <summary>Puts a prefix before the names of all joints.</summary>
+    public static string WithPrefix(string text, string prefix) =>
+        text.Replace("ROOT ", "ROOT " + prefix, StringComparison.Ordinal).Replace("JOINT ", "JOINT " + prefix, StringComparison.Ordinal);
+
     private static void WriteJoint(
         StringBuilder text,
         Bone bone,

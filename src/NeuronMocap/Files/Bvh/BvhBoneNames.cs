@@ -10,15 +10,26 @@ internal sealed class BvhBoneNames
 
     private readonly string _prefix;
 
-    public BvhBoneNames(IReadOnlyList<BvhJoint> joints)
+    private BvhBoneNames(string prefix, HashSet<string> joints)
     {
-        string hips = joints.FirstOrDefault(static joint => joint.Parent?.Parent is null && EndsWithWord(joint.Name, Hips))?.Name ?? Hips;
-        _prefix = hips[..^Hips.Length];
-        bool hasSpine3 = joints.Any(joint => string.Equals(joint.Name, _prefix + "Spine3", StringComparison.Ordinal));
-        Variant = hasSpine3 ? SkeletonVariant.Spine3 : SkeletonVariant.Neck1;
+        _prefix = prefix;
+        Variant = joints.Contains(prefix + "Spine3") ? SkeletonVariant.Spine3 : SkeletonVariant.Neck1;
     }
 
     public SkeletonVariant Variant { get; }
+
+    // Finds the first prefix with which all bones have a joint. Plain names come first, because helpers such as Ctrl_Hips can stand above them.
+    public static BvhBoneNames Find(IReadOnlyList<BvhJoint> joints)
+    {
+        HashSet<string> names = new(joints.Select(static joint => joint.Name), StringComparer.Ordinal);
+        BvhBoneNames[] candidates =
+        [
+            .. joints.Where(static joint => joint.Parent?.Parent is null && EndsWithWord(joint.Name, Hips))
+                .Select(static joint => joint.Name[..^Hips.Length]).OrderBy(static prefix => prefix.Length > 0).Select(prefix => new BvhBoneNames(prefix, names)),
+        ];
+        return candidates.FirstOrDefault(candidate => BoneHierarchy.Bones.ToArray().All(bone => names.Contains(candidate[bone])))
+            ?? candidates.FirstOrDefault() ?? new BvhBoneNames(string.Empty, names);
+    }
 
     public string this[Bone bone] => _prefix + BoneHierarchy.GetName(bone, Variant);
 

@@ -9,8 +9,8 @@ namespace NeuronMocap.Bvh;
 /// </summary>
 /// <remarks>
 /// The joints may have any order, and the file may have other joints. Names and parents must be those of one <see cref="SkeletonVariant"/>. The
-/// hips must be a root, or a child of a root named Reference. All names can have the same prefix, such as <c>Robot:Hips</c>, that ends with neither a
-/// letter nor a digit.
+/// hips must be a root, or a child of a root named Reference. All names can have the same prefix, such as <c>Robot:</c>, that ends with neither a letter
+/// nor a digit.
 /// </remarks>
 public sealed class BvhSkeletonMap
 {
@@ -68,7 +68,7 @@ public sealed class BvhSkeletonMap
     {
         ArgumentNullException.ThrowIfNull(document);
         map = null;
-        var names = new BvhBoneNames(document.Joints);
+        var names = BvhBoneNames.Find(document.Joints);
         if (!TryFindJoints(document, names, out BvhJoint[] joints, out reason))
             return false;
 

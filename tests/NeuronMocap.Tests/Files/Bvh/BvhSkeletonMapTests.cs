@@ -103,42 +103,6 @@ public class BvhSkeletonMapTests
         Assert.Equal(EulerAngles.ToQuaternion(new Vector3(351, 352, 353), RotationOrder.YXZ), moved[58].Rotation);
     }
 
-    [Theory]
-    [InlineData("Robot_", SkeletonVariant.Neck1)]
-    [InlineData("take 1|Robot:", SkeletonVariant.Spine3)]
-    public void All_names_may_have_the_same_prefix(string prefix, SkeletonVariant variant)
-    {
-        string text = UnderRoot("Reference", "6 Xposition Yposition Zposition Yrotation Xrotation Zrotation", variant);
-        BvhSkeletonMap expected = Create(text);
-        BvhSkeletonMap map = Create(WithPrefix(text, prefix));
-        float[] expectedValues = new float[186];
-        float[] values = new float[186];
-        expected.CopyValues(0, expectedValues);
-        map.CopyValues(0, values);
-
-        AssertBits(expectedValues, values);
-        Assert.Equal((expected.Layout, expected.Format), (map.Layout, map.Format));
-        Assert.Equal(prefix + "LeftHand", map[Bone.LeftHand].Name);
-        Assert.Equal(expected.GetReference(0), map.GetReference(0));
-    }
-
-    [Fact]
-    public void The_first_of_two_characters_is_taken()
-    {
-        string first = WithPrefix(Neuron(), "A:");
-        string hierarchy = first[..first.IndexOf("MOTION", StringComparison.Ordinal)];
-        string second = hierarchy.Replace("A:", "B:", StringComparison.Ordinal).Replace("HIERARCHY\n", string.Empty, StringComparison.Ordinal);
-        BvhSkeletonMap map = Create(hierarchy + second + "MOTION\nFrames: 0\nFrame Time: 0.01\n");
-        Assert.Equal("A:Head", map[Bone.Head].Name);
-    }
-
-    [Theory]
-    [InlineData("Robot_", "The file has no joint named Robot_RightUpLeg; its first joint is named Robot_Hips.")]
-    [InlineData("Robot", "The file has no joint named Hips; its first joint is named RobotHips.")]
-    [InlineData("Robot2", "The file has no joint named Hips; its first joint is named Robot2Hips.")]
-    public void A_prefix_of_the_hips_alone_is_not_neurons(string prefix, string told) =>
-        Assert.Equal(told, Refuse(Neuron(edit: (_, joint) => joint.Replace("ROOT ", "ROOT " + prefix, StringComparison.Ordinal))));
-
     [Fact]
     public void A_skeleton_of_fewer_joints_is_not_neurons() =>
         Assert.Equal("The file has no joint named RightUpLeg; its first joint is named Hips.", Refuse(TwoRows));
@@ -239,19 +203,6 @@ public class BvhSkeletonMapTests
         Assert.Throws<ArgumentException>(() => map.CopyValues(new float[179], new float[180]));
         Assert.Throws<ArgumentException>(() => map.CopyLocalTransforms(new float[179], new BoneTransform[59]));
         Assert.Throws<ArgumentException>(() => map.GetReference(new float[179]));
-    }
-
-    // The root's own values are negative, so the others keep their index.
-    private static string WithPrefix(string text, string prefix) =>
-        text.Replace("ROOT ", "ROOT " + prefix, StringComparison.Ordinal).Replace("JOINT ", "JOINT " + prefix, StringComparison.Ordinal);
-
-    private static string UnderRoot(string name, string channels, SkeletonVariant variant = SkeletonVariant.Neck1)
-    {
-        int count = channels[0] - '0';
-        return Neuron(variant)
-            .Replace("ROOT Hips", $"ROOT {name}\n{{\nOFFSET 0 0 0\nCHANNELS {channels}\nJOINT Hips", StringComparison.Ordinal)
-            .Replace("MOTION", "}\nMOTION", StringComparison.Ordinal)
-            .Replace("0.017\n", $"0.017\n{string.Join(' ', Enumerable.Range(0, count).Select(i => $"-{count - i}"))} ", StringComparison.Ordinal);
     }
 
     private static BvhSkeletonMap Create(string text)
