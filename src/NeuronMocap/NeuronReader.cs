@@ -269,7 +269,8 @@ public sealed partial class NeuronReader : IDisposable, IAsyncDisposable
     public ReaderStatistics GetStatistics() => _pipeline.GetStatistics() with { RejectedMessages = _options.Source?.RejectedMessages ?? 0 };
 
     /// <summary>
-    /// Gets what the reader has received so far of each avatar, in order of appearance; at most 1024 avatars. You can also call it after the end.
+    /// Gets what the reader has received so far of each avatar, in order of appearance. A new avatar may take the place of one that got no frame for 5 s, if
+    /// there are 1,024: see <see cref="AvatarStatistics"/>. You can also call it after the end.
     /// </summary>
     /// <returns>A snapshot.</returns>
     public IReadOnlyList<AvatarStatistics> GetAvatarStatistics() => _pipeline.GetAvatarStatistics();

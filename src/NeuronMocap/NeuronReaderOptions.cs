@@ -241,7 +241,7 @@ public sealed partial class NeuronReaderOptions
         int lowestPort = Transport == TransportKind.Udp ? 0 : 1;
         if (string.IsNullOrWhiteSpace(Host))
             return "Host is empty; give the name or address of the computer that runs Axis Neuron.";
-        if (HasPort(Host))
+        if (AddressText.HasPort(Host))
             return $"Host is {Host}; it must be a name or address alone. Set Port, or make the options with NeuronReaderOptions.Parse.";
         if (Port < lowestPort || Port > IPEndPoint.MaxPort)
             return $"Port is {Port}; it must be {lowestPort} to {IPEndPoint.MaxPort}.";
@@ -272,7 +272,4 @@ public sealed partial class NeuronReaderOptions
 
         return Tls?.FindFault() ?? Reconnect.FindFault();
     }
-
-    // One colon separates a port or a scheme. An IPv6 address has at least two.
-    private static bool HasPort(string host) => host.IndexOf(':') is >= 0 and var colon && host.LastIndexOf(':') == colon;
 }

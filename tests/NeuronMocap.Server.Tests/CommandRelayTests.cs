@@ -198,6 +198,8 @@ public sealed class CommandRelayTests
         using var relay = new CommandRelay(new CommandRelayOptions { Host = "studio", Port = server.Port });
         Assert.Equal(nameof(CommandRelayOptions.Port), Assert.Throws<BroadcasterException>(relay.Start).Setting);
         AssertRefused(nameof(CommandRelayOptions.Host), new CommandRelayOptions());
+        AssertRefused(nameof(CommandRelayOptions.Host), new CommandRelayOptions { Host = "[::1]:8013" });
+        AssertRefused(nameof(CommandRelayOptions.Host), new CommandRelayOptions { Host = "studio:8013" });
         AssertRefused(nameof(CommandRelayOptions.HostPort), new CommandRelayOptions { Host = "studio", HostPort = 0 });
         AssertRefused(nameof(CommandRelayOptions.Port), new CommandRelayOptions { Host = "studio", Port = -1 });
         AssertRefused(nameof(CommandRelayOptions.MaxClients), new CommandRelayOptions { Host = "studio", MaxClients = 0 });

@@ -1,5 +1,6 @@
 using System.Net;
 using NeuronMocap.Protocol;
+using NeuronMocap.Transport;
 
 namespace NeuronMocap.Server;
 
@@ -41,6 +42,7 @@ public sealed class CommandRelayOptions
     internal CommandRelayOptions CopyChecked()
     {
         Require(!string.IsNullOrWhiteSpace(Host), nameof(Host), "must be the name or the address of a server", Host);
+        Require(!AddressText.HasPort(Host), nameof(Host), "must be a name or an address alone, and HostPort its port", Host);
         Require(HostPort is >= 1 and <= IPEndPoint.MaxPort, nameof(HostPort), "must be 1 to 65535", HostPort);
         Require(Port is >= 0 and <= IPEndPoint.MaxPort, nameof(Port), "must be 0 to 65535", Port);
         Require(BindAddress is not null, nameof(BindAddress), "must be an address", BindAddress);

@@ -1,4 +1,5 @@
 using System.Net;
+using NeuronMocap.Transport;
 
 namespace NeuronMocap.Server.Osc;
 
@@ -15,6 +16,7 @@ internal sealed record OscSettings(string Host, int Port, double MaxRate, float 
     public OscSettings Checked(string options)
     {
         Require(options, !string.IsNullOrWhiteSpace(Host), nameof(Host), "must be a name or an address", Host);
+        Require(options, !AddressText.HasPort(Host), nameof(Host), "must be a name or an address alone, and Port its port", Host);
         Require(options, Port is >= 1 and <= IPEndPoint.MaxPort, nameof(Port), "must be 1 to 65535", Port);
         Require(options, MaxRate is 0 or (>= 0.01 and <= 1000), nameof(MaxRate), "must be 0, or 0.01 to 1000", MaxRate);
         Require(options, Scale is > 0 and <= 1_000_000, nameof(Scale), "must be more than 0 and at most 1,000,000", Scale);

@@ -71,6 +71,8 @@ public sealed class NeuronCommandOptions
     {
         if (string.IsNullOrWhiteSpace(Host))
             return "Host is empty; give the name or address of the computer that runs Axis Neuron.";
+        if (AddressText.HasPort(Host))
+            return $"Host is {Host}; it must be a name or address alone. Set Port, or make the options with NeuronCommandOptions.Parse.";
         if (Port is < 1 or > IPEndPoint.MaxPort)
             return $"Port is {Port}; it must be 1 to {IPEndPoint.MaxPort}.";
         if (ConnectTimeout <= TimeSpan.Zero || ConnectTimeout > TimeSpan.FromMinutes(5))

@@ -4,8 +4,8 @@ namespace NeuronMocap;
 
 /// <summary>A snapshot of the statistics of one kind of frame, of one avatar, of one sender.</summary>
 /// <remarks>
-/// A reader keeps 1,024 of these. To make room for a new one, it removes one that got no frame for 5 s. An avatar that returns after that starts again at
-/// 0.
+/// A reader keeps 1,024 of these, and beyond them up to 16 of each sender over UDP: 2,048 at most. To make room for a new one, it removes one that got no
+/// frame for 5 s. An avatar that returns after that starts again at 0.
 /// </remarks>
 public readonly record struct AvatarStatistics
 {

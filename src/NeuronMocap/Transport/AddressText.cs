@@ -51,6 +51,14 @@ internal static class AddressText
         return (number, address);
     }
 
+    /// <summary>
+    /// Whether an option for a host also has a port or a scheme. <see cref="IPAddress"/> would accept [::1]:7001 and ignore the port. An IPv6 address without
+    /// brackets has at least two colons.
+    /// </summary>
+    public static bool HasPort(string host) => host is ['[', ..]
+        ? host.IndexOf(']') != host.Length - 1
+        : host.IndexOf(':') is >= 0 and var colon && host.LastIndexOf(':') == colon;
+
     /// <summary>Whether the text begins with tls://.</summary>
     public static bool IsEncrypted(string text) => HasScheme(text.Trim(), TlsScheme);
 

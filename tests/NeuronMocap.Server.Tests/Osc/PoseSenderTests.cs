@@ -169,7 +169,7 @@ public sealed class PoseSenderTests
         await using var reader = new NeuronReader(new MemoryStream());
         VmcSenderOptions[] wrong =
         [
-            new() { Host = " " }, new() { Port = 0 }, new() { Port = 65_536 }, new() { MaxRate = -1 }, new() { MaxRate = 1001 }, new() { MaxRate = double.NaN },
+            new() { Host = " " }, new() { Host = "[::1]:39539" }, new() { Host = "studio:39539" }, new() { Port = 0 }, new() { Port = 65_536 }, new() { MaxRate = -1 }, new() { MaxRate = 1001 }, new() { MaxRate = double.NaN },
             new() { Scale = 0 }, new() { Scale = float.NaN }, new() { Scale = float.PositiveInfinity }, new() { MaxDatagramSize = 511 }, new() { MaxDatagramSize = 65_508 },
         ];
         Assert.All(wrong, options =>

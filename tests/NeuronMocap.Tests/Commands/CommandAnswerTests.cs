@@ -171,6 +171,8 @@ public class CommandAnswerTests
         Assert.Throws<ArgumentOutOfRangeException>(() => { _ = client.GetBvhHeaderAsync(-1); });
         Assert.Throws<ArgumentNullException>(() => new NeuronCommandClient((NeuronCommandOptions)null!));
         Refuses(static options => options.Host = " ", "Host");
+        Refuses(static options => options.Host = "127.0.0.1:8013", "Host is 127.0.0.1:8013; it must be a name or address alone. Set Port,");
+        Refuses(static options => options.Host = "[::1]:8013", "Host is [::1]:8013; it must be a name or address alone. Set Port,");
         Refuses(static options => options.Port = 0, "Port");
         Refuses(static options => options.Port = 65_536, "Port");
         Refuses(static options => options.ConnectTimeout = TimeSpan.Zero, "ConnectTimeout");

@@ -26,6 +26,8 @@ public sealed class SourceOptionsTests
     {
         { "CommandPort is 0;", new NeuronReaderOptions { CommandPort = 0 } },
         { "Host is empty;", new NeuronReaderOptions { CommandPort = 8013, Host = " " } },
+        { "Host is [::1]:7001; it must be a name or address alone. Set Port,", new NeuronReaderOptions { CommandPort = 8013, Host = "[::1]:7001" } },
+        { "Host is [::1]7001; it must be a name or address alone. Set Port,", new NeuronReaderOptions { CommandPort = 8013, Host = "[::1]7001" } },
         { "Host is 10.0.0.5:7001; it must be a name or address alone. Set Port,", new NeuronReaderOptions { CommandPort = 8013, Host = "10.0.0.5:7001" } },
         { "Host is tcp://neuron;", new NeuronReaderOptions { CommandPort = 8013, Host = "tcp://neuron" } },
         { "ConnectTimeout is ", new NeuronReaderOptions { CommandPort = 8013, ConnectTimeout = Timeout.InfiniteTimeSpan } },
