@@ -71,6 +71,19 @@ public sealed class SourceTakeTests : IDisposable
         Assert.Equal("Shot 009", TakeSettings.instance.NextName);
     }
 
+    [Fact]
+    public void The_fields_of_a_take_can_be_edited_also_after_a_restart()
+    {
+        AddSimulator();
+        ImmediateGui.Set(_draw, "Take Name", "Shot");
+        TakeSettings.Forget();
+        ImmediateGui.Set(_draw, "Slate", 7);
+
+        Assert.Equal("Shot 007", TakeSettings.instance.NextName);
+        ImmediateGui.Draw(_draw);
+        Assert.All(EditorWorld.Controls.Where(static control => control.Kind == "Property"), static field => Assert.True(field.IsEnabled, field.Label));
+    }
+
     [Theory]
     [InlineData(ClipKind.Humanoid, "LeftFootT.y")]
     [InlineData(ClipKind.Generic, "m_LocalPosition.y")]

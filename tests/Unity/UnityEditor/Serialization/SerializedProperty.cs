@@ -46,6 +46,8 @@ public sealed class SerializedProperty
         : typeof(UnityEngine.Object).IsAssignableFrom(_field.FieldType) ? SerializedPropertyType.ObjectReference
         : SerializedPropertyType.Generic;
 
+    public bool editable => serializedObject.targetObjects.All(static target => !target.hideFlags.HasFlag(HideFlags.NotEditable));
+
     public bool isExpanded { get; set; }
 
     public bool hasMultipleDifferentValues { get; private set; }
