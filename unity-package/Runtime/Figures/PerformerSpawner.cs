@@ -65,6 +65,8 @@ namespace NeuronMocap.Unity
         [Tooltip("Called when a figure is about to be destroyed.")]
         private UnityEvent<GameObject> _onDespawning = new UnityEvent<GameObject>();
 
+        private const string NoSource = "Set Source to the source whose performers get figures.";
+
         private readonly List<SpawnedFigure> _figures = new List<SpawnedFigure>();
         private MocapSource? _shownSource;
         private bool _isFull;
