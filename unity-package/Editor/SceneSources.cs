@@ -5,6 +5,7 @@ using System.Collections.Generic;
 using System.Linq;
 using UnityEditor;
 using UnityEngine;
+using UnityEngine.SceneManagement;
 
 namespace NeuronMocap.Unity.EditorTools
 {
@@ -16,5 +17,8 @@ namespace NeuronMocap.Unity.EditorTools
             .Where(source => !EditorUtility.IsPersistent(source) && source.gameObject.scene.IsValid())
             .OrderBy(source => source.name, StringComparer.OrdinalIgnoreCase)
             .ToArray();
+
+        // Objects of one scene cannot refer to those of another one.
+        public static MocapSource? FirstIn(Scene scene) => Find().FirstOrDefault(source => source.gameObject.scene == scene);
     }
 }

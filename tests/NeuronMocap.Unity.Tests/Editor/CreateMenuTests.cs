@@ -1,6 +1,7 @@
 using System.Text.RegularExpressions;
 using NeuronMocap.Unity.EditorTools;
 using UnityEditor;
+using UnityEngine.SceneManagement;
 
 namespace NeuronMocap.Unity.Tests.Editor;
 
@@ -57,6 +58,20 @@ public sealed partial class CreateMenuTests
 
         Undo.PerformUndo();
         Assert.Empty(Object.FindObjectsOfType<GameObject>());
+    }
+
+    [Fact]
+    public void A_spawner_gets_the_first_source_of_its_scene()
+    {
+        using var world = new EditorWorld();
+        MocapSource elsewhere = world.AddSource(static _ => { }, "A");
+        SceneManager.MoveGameObjectToScene(elsewhere.gameObject, EditorWorld.AddScene("Other"));
+        world.AddSource(static _ => { }, "C");
+        MocapSource first = world.AddSource(static _ => { }, "B");
+
+        Assert.True(MenuItems.Execute("GameObject/NeuronMocap/Performer Spawner"));
+
+        Assert.Same(first, Object.FindObjectOfType<PerformerSpawner>()!.Source);
     }
 
     [Fact]

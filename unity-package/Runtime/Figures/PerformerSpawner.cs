@@ -16,6 +16,8 @@ namespace NeuronMocap.Unity
     [DefaultExecutionOrder(200)]
     public sealed class PerformerSpawner : MonoBehaviour
     {
+        private const string NoSource = "Set Source to the Mocap Source whose performers get figures.";
+
         [SerializeField]
         [Tooltip("The source whose performers get figures.")]
         private MocapSource? _source;
@@ -64,8 +66,6 @@ namespace NeuronMocap.Unity
         [SerializeField]
         [Tooltip("Called when a figure is about to be destroyed.")]
         private UnityEvent<GameObject> _onDespawning = new UnityEvent<GameObject>();
-
-        private const string NoSource = "Set Source to the source whose performers get figures.";
 
         private readonly List<SpawnedFigure> _figures = new List<SpawnedFigure>();
         private MocapSource? _shownSource;
@@ -164,6 +164,8 @@ namespace NeuronMocap.Unity
         {
             if (_source != null)
                 Show(_source);
+            else
+                ReportNoSource();
 
             // Handlers may disable the spawner, which empties the list.
             for (int i = _figures.Count - 1; i >= 0; i--)
@@ -183,9 +185,15 @@ namespace NeuronMocap.Unity
 
             // A handler may have set another source.
             _shownSource = source;
+            if (Problem == NoSource)
+                Problem = "";
+
             if (_source == source)
                 SpawnMissing(source.Performers);
         }
+
+        // What was wrong with the performers of a source is found again with the next source.
+        private void ReportNoSource() => (Problem, _isFull, _badPrefab) = (NoSource, false, null);
 
         private void SpawnMissing(IReadOnlyList<Performer> performers)
         {
