@@ -81,6 +81,24 @@ public sealed class DriverInspectorTests : IDisposable
     }
 
     [Fact]
+    public void The_first_bone_weight_of_a_list_is_one()
+    {
+        using var world = new EditorWorld();
+        HumanoidDriver humanoid = new GameObject("Humanoid").AddComponent<HumanoidDriver>();
+        GenericRigDriver generic = new GameObject("Generic").AddComponent<GenericRigDriver>();
+
+        ImmediateGui.Set(world.Inspect(humanoid).OnInspectorGUI, "Bone Weights", 1);
+        ImmediateGui.Set(world.Inspect(generic).OnInspectorGUI, "Bone Weights", 2);
+        Assert.Equal([1f], humanoid.BoneWeights.Select(static bone => bone.Weight));
+        Assert.Equal([1f, 1f], generic.BoneWeights.Select(static bone => bone.Weight));
+
+        // Unity fills further elements with the last one, which the user has set.
+        humanoid.BoneWeights[0] = new HumanoidBoneWeight { Bone = HumanoidBone.Head, Weight = 0.25f };
+        ImmediateGui.Set(world.Inspect(humanoid).OnInspectorGUI, "Bone Weights", 2);
+        Assert.Equal([0.25f, 0.25f], humanoid.BoneWeights.Select(static bone => bone.Weight));
+    }
+
+    [Fact]
     public void Smoothing_shows_its_delay_and_in_play_mode_the_noise()
     {
         HumanoidDriver driver = HumanoidFigure.Build(SkeletonBody.GetDefault()).Root.AddComponent<HumanoidDriver>();
