@@ -98,6 +98,12 @@ public sealed class ComponentInspectorTests : IDisposable
         Assert.NotSame(before, builder.Figure);
         Assert.False(builder.Figure!.IsDestroyed);
 
+        holder.SetActive(false);
+        ImmediateGui.Draw(inspector.OnInspectorGUI);
+        Assert.False(EditorWorld.Find(FigureBuilderEditor.Rebuild).IsEnabled);
+        holder.SetActive(true);
+        _world.Loop.RunUntil(() => driver.IsDriving && builder.Figure is not null);
+
         ImmediateGui.Draw(inspector.OnInspectorGUI);
         Assert.Equal(Dot(Severity.Good), EditorWorld.DotOf($"A figure with the sizes of {driver.Performer!.Name}"));
     }

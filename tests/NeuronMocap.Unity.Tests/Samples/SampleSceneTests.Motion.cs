@@ -141,8 +141,11 @@ public sealed partial class SampleSceneTests
         Assert.Equal(20, Parts().Length);
 
         course.Boxes[0].transform.localPosition = Vector3.zero;
+        (course.Boxes[0].velocity, course.Boxes[0].angularVelocity) = (Vector3.right, Vector3.up);
         course.PutBack();
         Assert.Equal(1, course.Boxes[0].transform.localPosition.magnitude, 0.1f);
+        Assert.Equal((Vector3.zero, Vector3.zero), (course.Boxes[0].velocity, course.Boxes[0].angularVelocity));
+        Assert.False(course.Boxes[0].isKinematic);
 
         Rigidbody[] Parts() => builder.Figure!.Root.GetComponentsInChildren<Rigidbody>();
 
