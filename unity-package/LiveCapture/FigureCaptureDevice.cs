@@ -85,7 +85,8 @@ namespace NeuronMocap.Unity.LiveCapture
                 return;
 
             ClipKind kind = animator.isHuman ? ClipKind.Humanoid : ClipKind.Generic;
-            _sampler = ClipSamplers.Create(kind, animator, animator.transform, null, out string problem);
+            Transform? hips = kind == ClipKind.Generic ? _figure!.FindHips() : null;
+            _sampler = ClipSamplers.Create(kind, animator, animator.transform, hips, out string problem);
             Problem = problem;
             if (_sampler is null)
                 return;

@@ -1,6 +1,7 @@
 using NeuronMocap.Bvh;
 using NeuronMocap.Recording;
 using NeuronMocap.Unity.EditorTools;
+using NeuronMocap.Unity.Tests.Drivers;
 using NeuronMocap.Unity.Tests.Infrastructure;
 using UnityEditor;
 
@@ -105,6 +106,24 @@ public sealed class SourceTakeTests : IDisposable
         Assert.NotNull(clip);
         Assert.Contains(AnimationUtility.GetCurveBindings(clip), binding => binding.propertyName == property);
         Assert.Null(holder.GetComponent<ClipRecorder>());
+    }
+
+    [Fact]
+    public void A_character_whose_first_child_is_a_mesh_becomes_a_clip_of_its_bones()
+    {
+        MocapSource source = AddSimulator();
+        GenericRigDriver driver = GenericRig.BuildAfterMesh(out _).AddComponent<GenericRigDriver>();
+        driver.Source = source;
+        _world.Loop.RunUntil(() => driver.IsDriving);
+        TakeSettings settings = TakeSettings.instance;
+        (settings.TakeName, settings.Clips, settings.Formats) = ("Mesh", true, TakeFormats.None);
+        using var take = new SourceTake(source, settings, Recordings);
+        _world.Loop.Frames(3);
+        take.Stop();
+
+        Assert.Empty(take.Problem);
+        AnimationClip clip = AssetDatabase.LoadAssetAtPath<AnimationClip>(Assert.Single(take.Clips))!;
+        Assert.Contains(AnimationUtility.GetCurveBindings(clip), static binding => binding is { path: "Hips", propertyName: "m_LocalPosition.y" });
     }
 
     [Fact]

@@ -244,6 +244,40 @@ public sealed partial class ClipRecorderTests : IDisposable
         Assert.Empty(ConsoleLog.Problems);
     }
 
+    [Theory]
+    [InlineData(true)]
+    [InlineData(false)]
+    public void A_generic_take_has_the_bones_that_the_driver_moves(bool isDriverAbove)
+    {
+        GameObject rig = GenericRig.BuildAfterMesh(out Dictionary<Bone, Transform> bones);
+        var holder = new GameObject("Ann");
+        rig.transform.SetParent(holder.transform);
+        (isDriverAbove ? holder : rig).AddComponent<GenericRigDriver>();
+        ClipRecorder recorder = rig.AddComponent<ClipRecorder>();
+        recorder.Kind = ClipKind.Generic;
+        Assert.True(recorder.StartRecording());
+
+        ClipProperty[] properties = [.. recorder.Take!.Properties];
+        Assert.Equal(1 + bones.Count, properties.Length);
+        Assert.Equal("Hips", properties[0].Path);
+        Assert.All(bones, bone => Assert.Contains(properties, property => property.Path.Split('/')[^1] == bone.Value.name));
+    }
+
+    [Fact]
+    public void A_prop_that_a_figure_holds_has_its_own_bones()
+    {
+        GameObject rig = GenericRig.BuildAfterMesh(out Dictionary<Bone, Transform> bones);
+        rig.AddComponent<GenericRigDriver>();
+        Transform flail = new GameObject("Flail").transform;
+        flail.SetParent(bones[Bone.RightHand], worldPositionStays: false);
+        new GameObject("Chain").transform.SetParent(flail, worldPositionStays: false);
+        ClipRecorder recorder = flail.gameObject.AddComponent<ClipRecorder>();
+        recorder.Kind = ClipKind.Generic;
+        Assert.True(recorder.StartRecording());
+
+        Assert.All(recorder.Take!.Properties, static property => Assert.Equal("Chain", property.Path));
+    }
+
     [Fact]
     public void Invalid_settings_are_reported()
     {

@@ -110,6 +110,7 @@ namespace NeuronMocap.Unity.EditorTools
                 clip.FileName = $"{_name} {driver.name}";
                 clip.Kind = driver is HumanoidDriver ? kind : ClipKind.Generic;
                 clip.Animator = driver is HumanoidDriver humanoid ? humanoid.Animator : null;
+                clip.Hips = driver is HumanoidDriver ? null : driver.FindHips();
                 if (clip.StartRecording())
                 {
                     _clips.Add(clip);

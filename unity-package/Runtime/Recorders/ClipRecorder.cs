@@ -26,7 +26,7 @@ namespace NeuronMocap.Unity
         private ClipKind _kind = ClipKind.Humanoid;
 
         [SerializeField]
-        [Tooltip("Generic clips: the bone that moves the character. Empty: the hips, or else the object's first child.")]
+        [Tooltip("Generic clips: the bone that moves the character. Empty: the hips of the avatar or of a driver, or else the object's first child.")]
         private Transform? _hips;
 
         [SerializeField]
@@ -67,7 +67,9 @@ namespace NeuronMocap.Unity
             set => _kind = value;
         }
 
-        /// <summary>Gets or sets the bone that moves the character in generic clips. Null: the hips, or else the first child.</summary>
+        /// <summary>
+        /// Gets or sets the bone that moves the character in generic clips. Null: the hips of the avatar or of a driver, or else the first child.
+        /// </summary>
         public Transform? Hips
         {
             get => _hips;
