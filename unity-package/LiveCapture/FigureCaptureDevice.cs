@@ -125,7 +125,7 @@ namespace NeuronMocap.Unity.LiveCapture
             if (_figure == null)
                 return null;
 
-            Animator? own = _figure is HumanoidDriver humanoid ? humanoid.Animator : null;
+            Animator? own = _figure is HumanoidDriver humanoid ? humanoid.ActiveAnimator : null;
             if (own == null)
                 own = _figure.GetComponentInChildren<Animator>();
 

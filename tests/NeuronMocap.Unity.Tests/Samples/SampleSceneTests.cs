@@ -1,5 +1,6 @@
 using NeuronMocap.Skeleton;
 using NeuronMocap.Unity.Samples;
+using NeuronMocap.Unity.Tests.Drivers;
 using NeuronMocap.Unity.Tests.Infrastructure;
 using UnityEngine.Rendering;
 
@@ -102,6 +103,23 @@ public sealed partial class SampleSceneTests : IDisposable
         Click(crowd, "One more");
         _loop.RunUntil(() => spawner.Figures.Count == 7);
         Assert.Contains(Shown(crowd), static text => text.Contains("7 figures of 7", StringComparison.Ordinal));
+    }
+
+    [Fact]
+    public void The_headset_turns_the_head_of_a_character_whose_driver_finds_its_Animator()
+    {
+        Read("VrHead").Build();
+        HeadsetHead sample = Find<HeadsetHead>();
+        TestFigure figure = TestFigure.Build("Ann");
+        HumanoidDriver driver = figure.Drive(Find<MocapSource>());
+        sample.Driver = driver;
+        Find<MouseLook>().Turn(30, -20);
+        _loop.RunUntil(() => driver.IsDriving);
+        _loop.Frame();
+
+        Assert.Same(figure[Bone.Head], sample.Head);
+        Vector3 eyes = sample.Head!.position + (sample.Headset!.rotation * new Vector3(0, 0.09f, 0.13f));
+        Assert.True((sample.Headset.position - eyes).magnitude < 1e-3f);
     }
 
     [Fact]
