@@ -1,5 +1,7 @@
+using NeuronMocap.Server;
 using NeuronMocap.Skeleton;
 using NeuronMocap.Unity.Tests.Drivers;
+using NeuronMocap.Unity.Tests.Infrastructure;
 
 namespace NeuronMocap.Unity.Tests.Recorders;
 
@@ -219,6 +221,37 @@ public sealed partial class ClipRecorderTests : IDisposable
         Assert.Equal(3, recorder.Take!.FrameCount);
         Assert.NotEmpty(recorder.Problem);
         Assert.Empty(ConsoleLog.Problems);
+    }
+
+    [Theory]
+    [InlineData(ClipKind.Humanoid)]
+    [InlineData(ClipKind.Generic)]
+    public void A_take_goes_on_when_the_figure_is_built_again_in_the_performers_sizes(ClipKind kind)
+    {
+        var actor = new StandingActor(Figures.HumanoidFigureTests.Tall(SkeletonVariant.Neck1));
+        using Broadcaster server = Stage.Broadcast(actor);
+        var holder = new GameObject("Ann");
+        HumanoidDriver driver = holder.AddComponent<HumanoidDriver>();
+        driver.Source = Stage.AddClient(server);
+        FigureBuilder builder = holder.AddComponent<FigureBuilder>();
+        ClipRecorder recorder = holder.AddComponent<ClipRecorder>();
+        (recorder.Kind, recorder.RecordOnPlay) = (kind, true);
+        _loop.Frame();
+        Assert.True(recorder.IsRecording, recorder.Problem);
+        HumanoidFigure first = builder.Figure!;
+        holder.transform.position = new Vector3(0, 0, 3);
+
+        _loop.RunUntil(() => first.IsDestroyed && driver.IsDriving);
+        _loop.Frames(10);
+
+        Assert.True(recorder.IsRecording, recorder.Problem);
+        Assert.Empty(recorder.Problem);
+
+        // The way since the first frame belongs to the clip.
+        ClipTake take = recorder.Take!;
+        Assert.Equal(0, take.GetValue(0, 2), 0.1f);
+        Assert.True(take.GetValue(take.FrameCount - 1, 2) > 1.5f, "The new figure begins a way of its own.");
+        Assert.DoesNotContain(ConsoleLog.Entries, static entry => entry.Type is LogType.Error or LogType.Exception);
     }
 
     [Fact]

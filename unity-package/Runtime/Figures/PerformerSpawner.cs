@@ -185,7 +185,7 @@ namespace NeuronMocap.Unity
 
             // A handler may have set another source.
             _shownSource = source;
-            if (Problem == NoSource)
+            if (string.Equals(Problem, NoSource, StringComparison.Ordinal))
                 Problem = "";
 
             if (_source == source)

@@ -12,6 +12,17 @@ namespace NeuronMocap.Unity
             ? CreateHumanoid(animator, out problem)
             : CreateGeneric(animator, animator != null ? animator.transform : owner, hips, out problem);
 
+        // For the rest of a take whose character is gone. Null if the take does not fit the character that took its place.
+        public static ClipSampler? Replace(ClipSampler gone, ClipKind kind, Animator animator, Transform? hips)
+        {
+            ClipSampler? next = Create(kind, animator, animator.transform, hips, out _);
+            if (next is null || next.TryContinue(gone))
+                return next;
+
+            next.Dispose();
+            return null;
+        }
+
         private static ClipSampler? CreateHumanoid(Animator? animator, out string problem)
         {
             problem = animator == null
