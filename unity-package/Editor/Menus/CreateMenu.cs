@@ -63,9 +63,7 @@ namespace NeuronMocap.Unity.EditorTools
         internal static T Create<T>(string name, MenuCommand? command)
             where T : Component
         {
-            var created = new GameObject(name);
-            GameObjectUtility.SetParentAndAlign(created, command?.context as GameObject);
-            Undo.RegisterCreatedObjectUndo(created, $"Create {name}");
+            GameObject created = OpenScenes.Create(name, command?.context as GameObject);
             T component = created.AddComponent<T>();
             Selection.activeGameObject = created;
             return component;
