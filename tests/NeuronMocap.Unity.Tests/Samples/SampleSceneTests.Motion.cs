@@ -30,7 +30,7 @@ public sealed partial class SampleSceneTests
         });
         _loop.RunUntil(() => IsMirrored(0.2f));
 
-        Click(desk, "Undo Recenter");
+        Click(desk, "Undo Recenter (key U)");
         _loop.Frame();
         Assert.InRange(DistanceFromCenter(), 0.8f, 1.2f);
         _loop.RunUntil(() => IsMirrored(0.003f));
@@ -188,7 +188,7 @@ public sealed partial class SampleSceneTests
 
         Assert.True(rawSteps > 1.2f * smoothSteps, $"{rawSteps} and {smoothSteps}");
 
-        Click(suit, "More noise");
+        Click(suit, "More noise (key M)");
         Assert.Equal(3, suit.Noise);
         Assert.Contains(Shown(suit), static text => text.Contains($"{3:0.0} degrees", StringComparison.Ordinal));
 

@@ -100,7 +100,7 @@ public sealed partial class SampleSceneTests : IDisposable
         Vector3[] places = [.. spawner.Figures.Select(static figure => figure.Root.transform.localPosition)];
         Assert.Equal(6, places.Distinct().Count());
 
-        Click(crowd, "One more");
+        Click(crowd, "One more (key M)");
         _loop.RunUntil(() => spawner.Figures.Count == 7);
         Assert.Contains(Shown(crowd), static text => text.Contains("7 figures of 7", StringComparison.Ordinal));
     }
@@ -169,12 +169,12 @@ public sealed partial class SampleSceneTests : IDisposable
             Moves(() => second.Figure);
             Assert.True(Measure.Field(desk.Playback, "_file") is string file && File.Exists(file));
 
-            Click(desk, "Record");
+            Click(desk, "Record (key R)");
             Assert.Equal(RecorderState.Recording, desk.Recorder.State);
             _loop.RunUntil(() => desk.Recorder.Frames > 5);
             Assert.Contains(Shown(desk), static text => text.Contains("frames", StringComparison.Ordinal));
             string before = desk.Take;
-            Click(desk, "Stop and play");
+            Click(desk, "Stop and play (key R)");
             _loop.RunUntil(() => desk.Take != before);
         }
         finally

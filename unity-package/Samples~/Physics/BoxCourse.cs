@@ -81,10 +81,17 @@ namespace NeuronMocap.Unity.Samples
                 _builder.Built -= Equip;
         }
 
+        // Clicks on the button below need the old Input Manager.
+        private void Update()
+        {
+            if (KeyPresses.IsPressed(KeyCode.P))
+                PutBack();
+        }
+
         private void OnGUI()
         {
-            GUILayout.BeginArea(new Rect(10, 10, 160, 40));
-            if (GUILayout.Button("Put boxes back"))
+            GUILayout.BeginArea(new Rect(10, 10, 180, 40));
+            if (GUILayout.Button("Put boxes back (key P)"))
                 PutBack();
 
             GUILayout.EndArea();
