@@ -27,6 +27,10 @@ namespace NeuronMocap.Unity
         private GameObject? _prefab;
 
         [SerializeField]
+        [Tooltip("A material to copy and colour for figures without a prefab. Empty: the lit material of the render pipeline, which builds of the scene include.")]
+        private Material? _material;
+
+        [SerializeField]
         [Range(1, 64)]
         [Tooltip("Maximum number of figures at a time. Further performers wait.")]
         private int _maxFigures = 16;
@@ -96,6 +100,16 @@ namespace NeuronMocap.Unity
         {
             get => _prefab;
             set => _prefab = value;
+        }
+
+        /// <summary>
+        /// Gets or sets a material to copy and colour for figures without a prefab. Null: the lit material of the render pipeline, which builds of the
+        /// scene include. Affects figures created later.
+        /// </summary>
+        public Material? Material
+        {
+            get => _material;
+            set => _material = value;
         }
 
         /// <summary>Gets or sets the maximum number of figures at a time, 1 to 64.</summary>
@@ -225,7 +239,7 @@ namespace NeuronMocap.Unity
                 return;
 
             int place = FindPlace();
-            GameObject? root = _prefab == null ? CreateBuilt(performer) : CreateFromPrefab(_prefab);
+            GameObject? root = _prefab == null ? CreateBuilt(performer, _material) : CreateFromPrefab(_prefab);
             if (root == null)
                 return;
 
@@ -246,13 +260,14 @@ namespace NeuronMocap.Unity
         }
 
         // Inactive until everything is set. Otherwise the driver would look for a source of its own.
-        private static GameObject CreateBuilt(Performer performer)
+        private static GameObject CreateBuilt(Performer performer, Material? material)
         {
             var root = new GameObject();
             root.SetActive(false);
             root.AddComponent<HumanoidDriver>();
             FigureBuilder builder = root.AddComponent<FigureBuilder>();
             builder.Look = FigureLook.Numbered(performer.AvatarIndex);
+            builder.Look.Material = material;
             builder.ShowBeforeData = false;
             return root;
         }
