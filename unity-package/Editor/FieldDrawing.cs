@@ -2,6 +2,8 @@
 
 using System;
 using UnityEditor;
+using UnityEngine;
+using Object = UnityEngine.Object;
 
 namespace NeuronMocap.Unity.EditorTools
 {
@@ -20,6 +22,9 @@ namespace NeuronMocap.Unity.EditorTools
                 after?.Invoke(property);
             }
         }
+
+        // Unity marks singletons as not editable, also when it reads them from their files. That would disable all fields.
+        public static void MakeEditable(Object singleton) => singleton.hideFlags &= ~HideFlags.NotEditable;
 
         // Whether a bool field is on, or an enum field has a value, for all selected objects.
         public static bool Is(this SerializedObject serialized, string name, bool value) =>

@@ -85,7 +85,8 @@ namespace NeuronMocap.Unity.LiveCapture
                 return;
 
             ClipKind kind = animator.isHuman ? ClipKind.Humanoid : ClipKind.Generic;
-            _sampler = ClipSamplers.Create(kind, animator, animator.transform, null, out string problem);
+            Transform? hips = kind == ClipKind.Generic ? _figure!.FindHips() : null;
+            _sampler = ClipSamplers.Create(kind, animator, animator.transform, hips, out string problem);
             Problem = problem;
             if (_sampler is null)
                 return;
@@ -124,7 +125,7 @@ namespace NeuronMocap.Unity.LiveCapture
             if (_figure == null)
                 return null;
 
-            Animator? own = _figure is HumanoidDriver humanoid ? humanoid.Animator : null;
+            Animator? own = _figure is HumanoidDriver humanoid ? humanoid.ActiveAnimator : null;
             if (own == null)
                 own = _figure.GetComponentInChildren<Animator>();
 

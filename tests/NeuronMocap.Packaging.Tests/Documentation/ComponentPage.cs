@@ -8,7 +8,6 @@ internal sealed class ComponentPage(PackageSources sources)
 {
     private readonly StringBuilder _text = new();
     private readonly SortedSet<string> _groups = new(StringComparer.Ordinal);
-    private readonly HashSet<string> _elements = new(StringComparer.Ordinal);
     private readonly SortedSet<string> _choices = new(StringComparer.Ordinal);
 
     public static string Create(PackageSources sources) => new ComponentPage(sources).Write();
@@ -78,9 +77,6 @@ internal sealed class ComponentPage(PackageSources sources)
     private string LinkOf(string fieldType)
     {
         string type = ElementOf(fieldType);
-        if (type != fieldType)
-            _elements.Add(type);
-
         if (sources.FindEnum(type) is { } choice)
         {
             _choices.Add(choice.Identifier.Text);
@@ -108,8 +104,8 @@ internal sealed class ComponentPage(PackageSources sources)
         _ => InspectorField.Nicify(ElementOf(field.Type).Split('.')[^1]) + (field.Type == ElementOf(field.Type) ? string.Empty : ", any number of them"),
     };
 
-    // The component that has a struct sets its values, but a new element of a list has none.
-    private bool HasInitial(string type) => _elements.Contains(type) || !sources.IsStruct(type);
+    // The component that has a struct sets its values, and the inspector those of a new element of a list.
+    private bool HasInitial(string type) => !sources.IsStruct(type);
 
     private string InitialOf(InspectorField field) => (field.Initial, field.Type) switch
     {

@@ -1,4 +1,5 @@
 using NeuronMocap.Skeleton;
+using NeuronMocap.Unity.Tests.Drivers;
 using NeuronMocap.Unity.Tests.Infrastructure;
 
 namespace NeuronMocap.Unity.Tests.DebugViews;
@@ -122,6 +123,28 @@ public sealed class SkeletonViewTests : IDisposable
 
         Vector3 hips = driver.Performer!.GetPosition(Bone.Hips) + new Vector3(0, 0, 7);
         Assert.Contains(GizmoLog.Calls, call => call.Shape == "Sphere" && (call.From - hips).magnitude < 1e-4f);
+    }
+
+    [Fact]
+    public void The_view_stands_at_a_character_below_its_driver()
+    {
+        var holder = new GameObject("Holder");
+        TestFigure figure = TestFigure.Build("Ann");
+        figure.Root.transform.SetParent(holder.transform);
+        HumanoidDriver driver = holder.AddComponent<HumanoidDriver>();
+        driver.Source = Stage.AddSimulator();
+        AddView(null).Driver = driver;
+        _loop.RunUntil(() => driver.IsDriving);
+        _loop.Frame();
+
+        Assert.Null(driver.Animator);
+        Assert.Same(figure.Animator, driver.ActiveAnimator);
+        Vector3 hips = figure.Root.transform.TransformPoint(driver.Performer!.GetPosition(Bone.Hips));
+        Assert.Contains(GizmoLog.Calls, call => call.Shape == "Sphere" && (call.From - hips).magnitude < 1e-4f);
+
+        Object.DestroyImmediate(figure.Root);
+        _loop.Frame();
+        Assert.Null(driver.ActiveAnimator);
     }
 
     [Fact]

@@ -21,6 +21,17 @@ internal static class GenericRig
         return root;
     }
 
+    /// <summary>Builds a rig whose first child is not its hips, but a mesh, as in many models.</summary>
+    public static GameObject BuildAfterMesh(out Dictionary<Bone, Transform> bones)
+    {
+        GameObject rig = Build("", out bones);
+        Transform mesh = new GameObject("Mesh").transform;
+        bones[Bone.Hips].SetParent(mesh);
+        mesh.SetParent(rig.transform);
+        bones[Bone.Hips].SetParent(rig.transform);
+        return rig;
+    }
+
     /// <summary>Builds a rig that stands with its arms at 45 degrees, with a skin that is bound in this pose.</summary>
     public static GameObject BuildInAPose(out Dictionary<Bone, Transform> bones)
     {

@@ -155,6 +155,17 @@ public sealed class BuildCheckTests : IDisposable
     }
 
     [Fact]
+    public void The_guide_describes_every_setting_and_its_default()
+    {
+        string guide = File.ReadAllText(Path.Combine(Repository.Root, "unity-package", "Documentation~", "platforms.md"));
+        ImmediateGui.Draw(() => SettingsPage.Draw(_settings));
+
+        GuiControl[] fields = [.. EditorWorld.Controls.Where(static control => control.Kind == "Property")];
+        Assert.Equal(4, fields.Length);
+        Assert.All(fields, field => Assert.Matches($@"(?m)^\| {field.Label} \| .* \| \*?{System.Text.RegularExpressions.Regex.Escape(field.Value)}\*? \|$", guide));
+    }
+
+    [Fact]
     public void The_page_warns_of_an_empty_text_and_greys_it_out_when_it_is_not_added()
     {
         _settings.LocalNetworkText = "";

@@ -54,6 +54,32 @@ public sealed class ComponentInspectorTests : IDisposable
     }
 
     [Fact]
+    public void A_spawner_without_a_source_names_the_field_to_set()
+    {
+        PerformerSpawner spawner = new GameObject("Spawner").AddComponent<PerformerSpawner>();
+        UnityEditor.Editor inspector = _world.Inspect(spawner);
+        _world.Loop.Frame();
+        ImmediateGui.Draw(inspector.OnInspectorGUI);
+        Assert.Equal(Dot(Severity.Warning), EditorWorld.DotOf("0 figures"));
+        Assert.Contains("Set Source", Assert.Single(EditorWorld.Labels("HelpBox")), StringComparison.Ordinal);
+
+        MocapSource source = Stage.AddSimulator();
+        spawner.Source = source;
+        _world.Loop.RunUntil(() => spawner.Figures.Count == 1);
+        Assert.Empty(spawner.Problem);
+
+        // What else is wrong is said again after a while without a source.
+        spawner.MaxFigures = 1;
+        source.PerformerCount = 2;
+        _world.Loop.RunUntil(() => spawner.Problem.Contains("Max Figures", StringComparison.Ordinal));
+        spawner.Source = null;
+        _world.Loop.Frame();
+        Assert.Contains("Set Source", spawner.Problem, StringComparison.Ordinal);
+        spawner.Source = source;
+        _world.Loop.RunUntil(() => spawner.Problem.Contains("Max Figures", StringComparison.Ordinal));
+    }
+
+    [Fact]
     public void The_figure_builder_shows_its_sizes_and_rebuilds()
     {
         GameObject holder = new("Figure");
@@ -71,6 +97,12 @@ public sealed class ComponentInspectorTests : IDisposable
         ImmediateGui.Click(inspector.OnInspectorGUI, FigureBuilderEditor.Rebuild);
         Assert.NotSame(before, builder.Figure);
         Assert.False(builder.Figure!.IsDestroyed);
+
+        holder.SetActive(false);
+        ImmediateGui.Draw(inspector.OnInspectorGUI);
+        Assert.False(EditorWorld.Find(FigureBuilderEditor.Rebuild).IsEnabled);
+        holder.SetActive(true);
+        _world.Loop.RunUntil(() => driver.IsDriving && builder.Figure is not null);
 
         ImmediateGui.Draw(inspector.OnInspectorGUI);
         Assert.Equal(Dot(Severity.Good), EditorWorld.DotOf($"A figure with the sizes of {driver.Performer!.Name}"));

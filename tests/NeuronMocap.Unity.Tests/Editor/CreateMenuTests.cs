@@ -1,6 +1,8 @@
 using System.Text.RegularExpressions;
 using NeuronMocap.Unity.EditorTools;
 using UnityEditor;
+using UnityEditor.SceneManagement;
+using UnityEngine.SceneManagement;
 
 namespace NeuronMocap.Unity.Tests.Editor;
 
@@ -57,6 +59,59 @@ public sealed partial class CreateMenuTests
 
         Undo.PerformUndo();
         Assert.Empty(Object.FindObjectsOfType<GameObject>());
+    }
+
+    [Theory]
+    [InlineData("Source")]
+    [InlineData("Quick Start Scene")]
+    public void New_objects_become_parts_of_the_prefab_that_is_open(string entry)
+    {
+        using var world = new EditorWorld();
+        Camera camera = MakeMainCamera(new Vector3(0, 1, -10));
+        MocapSource outside = world.AddSource(static _ => { }, "A");
+        PrefabStage stage = PrefabStage.Open(new GameObject("Prefab"));
+
+        Assert.True(MenuItems.Execute($"GameObject/NeuronMocap/{entry}"));
+
+        GameObject[] made = [.. Object.FindObjectsOfType<GameObject>().Where(item => item != camera.gameObject && item != outside.gameObject)];
+        Assert.All(made, item => Assert.Equal(stage.scene, item.scene));
+        MocapSource inside = Assert.Single(SceneSources.Find(), source => source != outside);
+        Assert.Same(stage.prefabContentsRoot.transform, inside.transform.parent);
+        Assert.All(Object.FindObjectsOfType<HumanoidDriver>(), driver => Assert.Same(inside, driver.Source));
+        Assert.True(camera.GetComponent<FollowCamera>() == null);
+    }
+
+    [Fact]
+    public void Objects_of_hidden_scenes_are_not_of_the_user()
+    {
+        using var world = new EditorWorld();
+        MocapSource hidden = world.AddSource(static _ => { });
+        Light light = new GameObject("Light").AddComponent<Light>();
+        FigureDriver figure = new GameObject("Figure").AddComponent<GenericRigDriver>();
+        Scene preview = EditorSceneManager.NewPreviewScene();
+        foreach (Component item in (Component[])[hidden, light, figure])
+            SceneManager.MoveGameObjectToScene(item.gameObject, preview);
+
+        Assert.Empty(SceneSources.Find());
+        Assert.False(LivePreview.CanStart(hidden));
+        Assert.False(OpenScenes.Contains(figure));
+        CreateMenu.CreateQuickStart();
+        Assert.NotSame(hidden, Assert.Single(SceneSources.Find()));
+        Assert.True(Object.FindObjectOfType<StageBuilder>()!.HasLight);
+    }
+
+    [Fact]
+    public void A_spawner_gets_the_first_source_of_its_scene()
+    {
+        using var world = new EditorWorld();
+        MocapSource elsewhere = world.AddSource(static _ => { }, "A");
+        SceneManager.MoveGameObjectToScene(elsewhere.gameObject, EditorWorld.AddScene("Other"));
+        world.AddSource(static _ => { }, "C");
+        MocapSource first = world.AddSource(static _ => { }, "B");
+
+        Assert.True(MenuItems.Execute("GameObject/NeuronMocap/Performer Spawner"));
+
+        Assert.Same(first, Object.FindObjectOfType<PerformerSpawner>()!.Source);
     }
 
     [Fact]

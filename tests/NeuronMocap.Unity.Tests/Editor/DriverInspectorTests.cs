@@ -1,6 +1,7 @@
 using NeuronMocap.Retargeting;
 using NeuronMocap.Skeleton;
 using NeuronMocap.Unity.EditorTools;
+using NeuronMocap.Unity.Tests.Drivers;
 using NeuronMocap.Unity.Tests.Infrastructure;
 
 namespace NeuronMocap.Unity.Tests.Editor;
@@ -81,6 +82,53 @@ public sealed class DriverInspectorTests : IDisposable
     }
 
     [Fact]
+    public void The_first_bone_weight_of_a_list_is_one()
+    {
+        using var world = new EditorWorld();
+        HumanoidDriver humanoid = new GameObject("Humanoid").AddComponent<HumanoidDriver>();
+        GenericRigDriver generic = new GameObject("Generic").AddComponent<GenericRigDriver>();
+
+        ImmediateGui.Set(world.Inspect(humanoid).OnInspectorGUI, "Bone Weights", 1);
+        ImmediateGui.Set(world.Inspect(generic).OnInspectorGUI, "Bone Weights", 2);
+        Assert.Equal([1f], humanoid.BoneWeights.Select(static bone => bone.Weight));
+        Assert.Equal([1f, 1f], generic.BoneWeights.Select(static bone => bone.Weight));
+
+        // Unity fills further elements with the last one, which the user has set.
+        humanoid.BoneWeights[0] = new HumanoidBoneWeight { Bone = HumanoidBone.Head, Weight = 0.25f };
+        ImmediateGui.Set(world.Inspect(humanoid).OnInspectorGUI, "Bone Weights", 2);
+        Assert.Equal([0.25f, 0.25f], humanoid.BoneWeights.Select(static bone => bone.Weight));
+    }
+
+    [Fact]
+    public void Names_of_bones_that_are_edited_while_the_figure_moves_take_effect_in_the_next_frame()
+    {
+        GameObject rig = GenericRig.Build("A_", out Dictionary<Bone, Transform> first);
+        GenericRig.Build("B_", out Dictionary<Bone, Transform> second);
+        second[Bone.Hips].SetParent(rig.transform, worldPositionStays: false);
+        GenericRigDriver driver = rig.AddComponent<GenericRigDriver>();
+        (driver.Prefix, driver.Source) = ("A_", Stage.AddSimulator());
+        driver.Rebind();
+        _world.Loop.RunUntil(() => driver.IsDriving);
+        UnityEditor.Editor inspector = _world.Inspect(driver);
+        Assert.Equal(first[Bone.Hips], HipsOf(driver));
+
+        ImmediateGui.Set(inspector.OnInspectorGUI, "Prefix", "B_");
+        _world.Loop.Frame();
+        Assert.Equal(second[Bone.Hips], HipsOf(driver));
+        Assert.True(Quaternion.Angle(Quaternion.identity, first[Bone.LeftArm].localRotation) < 0.1f, "The old bones keep their last pose.");
+
+        ImmediateGui.Set(inspector.OnInspectorGUI, "Bindings", new List<BoneBinding> { new() { Bone = Bone.Head, Transform = second[Bone.Neck1] } });
+        _world.Loop.Frame();
+        Assert.Equal([Bone.Neck1], driver.MissingBones);
+
+        // Other fields change often, such as with a slider, and need no new rig.
+        TargetRig? bound = driver.TargetRig;
+        ImmediateGui.Set(inspector.OnInspectorGUI, "Weight", 0.5f);
+        _world.Loop.Frame();
+        Assert.Same(bound, driver.TargetRig);
+    }
+
+    [Fact]
     public void Smoothing_shows_its_delay_and_in_play_mode_the_noise()
     {
         HumanoidDriver driver = HumanoidFigure.Build(SkeletonBody.GetDefault()).Root.AddComponent<HumanoidDriver>();
@@ -100,6 +148,8 @@ public sealed class DriverInspectorTests : IDisposable
         ImmediateGui.Draw(inspector.OnInspectorGUI);
         Assert.Matches(@"at 180 degrees/s; noise \d+\.\d\d degrees before, \d+\.\d\d after$", EditorWorld.Find("Arms Smoothing").Value);
     }
+
+    private static Transform HipsOf(FigureDriver driver) => driver.FindRig(out _)!.Nodes[driver.TargetRig!.HipsNode];
 
     private static Color Dot(Severity severity) => ReportGui.ColorOf(severity, isDarkSkin: true);
 }

@@ -1,6 +1,7 @@
 using NeuronMocap.Diagnostics;
 using NeuronMocap.Unity.EditorTools;
 using UnityEditor;
+using UnityEngine.SceneManagement;
 
 namespace NeuronMocap.Unity.Tests.Editor;
 
@@ -28,6 +29,13 @@ internal sealed class EditorWorld : IDisposable
 
     // The colour of the dot in the row of a headline.
     public static Color? DotOf(string headline) => Controls.First(control => control.Row == Find(headline).Row).Color;
+
+    // Beside the active scene, and empty.
+    public static Scene AddScene(string name)
+    {
+        SceneManager.Others.Add(name);
+        return SceneManager.GetSceneAt(SceneManager.sceneCount - 1);
+    }
 
     public MocapSource AddSource(Action<MocapSource> set, string name = "Source")
     {

@@ -54,6 +54,21 @@ public sealed class LiveCaptureTests
     }
 
     [Fact]
+    public void A_figure_whose_first_child_is_a_mesh_is_recorded_with_its_bones()
+    {
+        using var world = new EditorWorld(play: true);
+        GenericRigDriver driver = GenericRig.BuildAfterMesh(out _).AddComponent<GenericRigDriver>();
+        driver.Source = Stage.AddSimulator();
+        driver.gameObject.AddComponent<Animator>();
+        AddDevice(driver);
+
+        Record(world, () => driver.IsDriving);
+
+        AnimationClip clip = Assert.Single(LiveRecorder.Tracks).Clip;
+        Assert.Contains(AnimationUtility.GetCurveBindings(clip), static binding => binding is { path: "Hips", propertyName: "m_LocalPosition.y" });
+    }
+
+    [Fact]
     public void What_is_missing_is_named_and_no_track_is_added()
     {
         using var world = new EditorWorld();

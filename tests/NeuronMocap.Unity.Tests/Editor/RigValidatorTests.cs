@@ -34,6 +34,21 @@ public class RigValidatorTests
     }
 
     [Fact]
+    public void A_figure_that_is_built_in_play_mode_has_no_fault()
+    {
+        using var world = new EditorWorld();
+        CreateMenu.CreateQuickStart();
+        HumanoidDriver driver = Object.FindObjectOfType<HumanoidDriver>()!;
+
+        ImmediateGui.Draw(world.Inspect(driver).OnInspectorGUI);
+
+        RigProblem row = Assert.Single(HumanoidCheck.Examine(driver));
+        Assert.Equal((Severity.None, HumanoidCheck.BuiltLater, null), (row.Severity, row.Text, row.FixLabel));
+        Assert.DoesNotContain("Add an Animator", EditorWorld.Labels("Button"));
+        Assert.DoesNotContain(EditorWorld.Controls, static control => control is { Kind: "HelpBox", Value: "Error" });
+    }
+
+    [Fact]
     public void An_Animator_above_is_assigned_with_Undo()
     {
         using var world = new EditorWorld();

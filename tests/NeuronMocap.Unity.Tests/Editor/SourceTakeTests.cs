@@ -1,6 +1,7 @@
 using NeuronMocap.Bvh;
 using NeuronMocap.Recording;
 using NeuronMocap.Unity.EditorTools;
+using NeuronMocap.Unity.Tests.Drivers;
 using NeuronMocap.Unity.Tests.Infrastructure;
 using UnityEditor;
 
@@ -71,6 +72,19 @@ public sealed class SourceTakeTests : IDisposable
         Assert.Equal("Shot 009", TakeSettings.instance.NextName);
     }
 
+    [Fact]
+    public void The_fields_of_a_take_can_be_edited_also_after_a_restart()
+    {
+        AddSimulator();
+        ImmediateGui.Set(_draw, "Take Name", "Shot");
+        TakeSettings.Forget();
+        ImmediateGui.Set(_draw, "Slate", 7);
+
+        Assert.Equal("Shot 007", TakeSettings.instance.NextName);
+        ImmediateGui.Draw(_draw);
+        Assert.All(EditorWorld.Controls.Where(static control => control.Kind == "Property"), static field => Assert.True(field.IsEnabled, field.Label));
+    }
+
     [Theory]
     [InlineData(ClipKind.Humanoid, "LeftFootT.y")]
     [InlineData(ClipKind.Generic, "m_LocalPosition.y")]
@@ -92,6 +106,24 @@ public sealed class SourceTakeTests : IDisposable
         Assert.NotNull(clip);
         Assert.Contains(AnimationUtility.GetCurveBindings(clip), binding => binding.propertyName == property);
         Assert.Null(holder.GetComponent<ClipRecorder>());
+    }
+
+    [Fact]
+    public void A_character_whose_first_child_is_a_mesh_becomes_a_clip_of_its_bones()
+    {
+        MocapSource source = AddSimulator();
+        GenericRigDriver driver = GenericRig.BuildAfterMesh(out _).AddComponent<GenericRigDriver>();
+        driver.Source = source;
+        _world.Loop.RunUntil(() => driver.IsDriving);
+        TakeSettings settings = TakeSettings.instance;
+        (settings.TakeName, settings.Clips, settings.Formats) = ("Mesh", true, TakeFormats.None);
+        using var take = new SourceTake(source, settings, Recordings);
+        _world.Loop.Frames(3);
+        take.Stop();
+
+        Assert.Empty(take.Problem);
+        AnimationClip clip = AssetDatabase.LoadAssetAtPath<AnimationClip>(Assert.Single(take.Clips))!;
+        Assert.Contains(AnimationUtility.GetCurveBindings(clip), static binding => binding is { path: "Hips", propertyName: "m_LocalPosition.y" });
     }
 
     [Fact]

@@ -80,6 +80,26 @@ public sealed class FigureBuilderTests : IDisposable
     }
 
     [Fact]
+    public void Nothing_is_rebuilt_while_its_object_or_itself_is_disabled()
+    {
+        var holder = new GameObject("Figure");
+        holder.SetActive(false);
+        FigureBuilder builder = holder.AddComponent<FigureBuilder>();
+        builder.Rebuild();
+        Assert.Null(builder.Figure);
+
+        holder.SetActive(true);
+        _loop.Frame();
+        Assert.NotNull(builder.Figure);
+
+        builder.enabled = false;
+        builder.Rebuild();
+        _loop.Frame();
+        Assert.Null(builder.Figure);
+        Assert.Equal(0, builder.transform.childCount);
+    }
+
+    [Fact]
     public void Its_object_may_be_deactivated_and_activated()
     {
         FigureBuilder builder = AddBuilder(null);

@@ -184,6 +184,8 @@ public sealed class HumanoidFigureTests : IDisposable
             // A player without lit shaders still shows the figure.
             Shader.Available.Remove("Universal Render Pipeline/Lit");
             Assert.Equal("Sprites/Default", HumanoidFigure.Build(SkeletonBody.GetDefault()).Renderer.sharedMaterials[0]!.shader.name);
+            HumanoidFigure.Build(SkeletonBody.GetDefault());
+            Assert.Contains("Set a Material", Assert.Single(ConsoleLog.Problems).Message, StringComparison.Ordinal);
         }
         finally
         {

@@ -282,6 +282,20 @@ public sealed class PerformerSpawnerTests : IDisposable
     }
 
     [Fact]
+    public void Built_figures_have_the_material_of_the_spawner()
+    {
+        PerformerSpawner spawner = Stage.AddSpawner(Stage.AddSimulator());
+        spawner.Material = new Material(Shader.Find("Standard")!);
+        spawner.Material.SetFloat("_Glossiness", 0.9f);
+        Material? shown = null;
+        spawner.Spawned += figure => figure.Root.GetComponent<FigureBuilder>().Built += built => shown = built.Renderer.sharedMaterials[0];
+        _loop.RunUntil(() => shown is not null);
+
+        Assert.NotSame(spawner.Material, shown);
+        Assert.Equal(0.9f, shown!.GetFloat("_Glossiness"));
+    }
+
+    [Fact]
     public void A_valid_prefab_clears_the_problem()
     {
         MocapSource source = Stage.AddSimulator();

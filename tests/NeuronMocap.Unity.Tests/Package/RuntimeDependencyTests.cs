@@ -5,13 +5,14 @@ namespace NeuronMocap.Unity.Tests.Package;
 /// <summary>Rules for the use of folders in the runtime part of the package.</summary>
 public sealed class RuntimeDependencyTests
 {
-    // Frames come from sources, and drivers pose a rig with them. Figures are rigs built by the package. The root converts axes and units.
+    // Frames come from sources, and drivers pose a rig with them. Figures are rigs built by the package. Recorders ask drivers which bones move. The root
+    // converts axes and units.
     private static readonly DependencyRules Runtime = new("/unity-package/Runtime/", new Dictionary<string, string[]>(StringComparer.Ordinal)
     {
         ["Sources"] = [""],
         ["Drivers"] = ["", "Sources"],
         ["Figures"] = ["", "Drivers", "Sources"],
-        ["Recorders"] = ["", "Sources"],
+        ["Recorders"] = ["", "Drivers", "Sources"],
         ["DebugViews"] = ["", "Drivers", "Sources"],
     });
 

@@ -1,5 +1,7 @@
+using NeuronMocap.Server;
 using NeuronMocap.Skeleton;
 using NeuronMocap.Unity.Tests.Drivers;
+using NeuronMocap.Unity.Tests.Infrastructure;
 
 namespace NeuronMocap.Unity.Tests.Recorders;
 
@@ -221,6 +223,37 @@ public sealed partial class ClipRecorderTests : IDisposable
         Assert.Empty(ConsoleLog.Problems);
     }
 
+    [Theory]
+    [InlineData(ClipKind.Humanoid)]
+    [InlineData(ClipKind.Generic)]
+    public void A_take_goes_on_when_the_figure_is_built_again_in_the_performers_sizes(ClipKind kind)
+    {
+        var actor = new StandingActor(Figures.HumanoidFigureTests.Tall(SkeletonVariant.Neck1));
+        using Broadcaster server = Stage.Broadcast(actor);
+        var holder = new GameObject("Ann");
+        HumanoidDriver driver = holder.AddComponent<HumanoidDriver>();
+        driver.Source = Stage.AddClient(server);
+        FigureBuilder builder = holder.AddComponent<FigureBuilder>();
+        ClipRecorder recorder = holder.AddComponent<ClipRecorder>();
+        (recorder.Kind, recorder.RecordOnPlay) = (kind, true);
+        _loop.Frame();
+        Assert.True(recorder.IsRecording, recorder.Problem);
+        HumanoidFigure first = builder.Figure!;
+        holder.transform.position = new Vector3(0, 0, 3);
+
+        _loop.RunUntil(() => first.IsDestroyed && driver.IsDriving);
+        _loop.Frames(10);
+
+        Assert.True(recorder.IsRecording, recorder.Problem);
+        Assert.Empty(recorder.Problem);
+
+        // The way since the first frame belongs to the clip.
+        ClipTake take = recorder.Take!;
+        Assert.Equal(0, take.GetValue(0, 2), 0.1f);
+        Assert.True(take.GetValue(take.FrameCount - 1, 2) > 1.5f, "The new figure begins a way of its own.");
+        Assert.DoesNotContain(ConsoleLog.Entries, static entry => entry.Type is LogType.Error or LogType.Exception);
+    }
+
     [Fact]
     public void A_transform_that_goes_during_a_generic_take_keeps_its_last_rotation()
     {
@@ -242,6 +275,40 @@ public sealed partial class ClipRecorderTests : IDisposable
             Assert.Equal(take.GetValue(1, value), take.GetValue(3, value), 1e-5f);
 
         Assert.Empty(ConsoleLog.Problems);
+    }
+
+    [Theory]
+    [InlineData(true)]
+    [InlineData(false)]
+    public void A_generic_take_has_the_bones_that_the_driver_moves(bool isDriverAbove)
+    {
+        GameObject rig = GenericRig.BuildAfterMesh(out Dictionary<Bone, Transform> bones);
+        var holder = new GameObject("Ann");
+        rig.transform.SetParent(holder.transform);
+        (isDriverAbove ? holder : rig).AddComponent<GenericRigDriver>();
+        ClipRecorder recorder = rig.AddComponent<ClipRecorder>();
+        recorder.Kind = ClipKind.Generic;
+        Assert.True(recorder.StartRecording());
+
+        ClipProperty[] properties = [.. recorder.Take!.Properties];
+        Assert.Equal(1 + bones.Count, properties.Length);
+        Assert.Equal("Hips", properties[0].Path);
+        Assert.All(bones, bone => Assert.Contains(properties, property => property.Path.Split('/')[^1] == bone.Value.name));
+    }
+
+    [Fact]
+    public void A_prop_that_a_figure_holds_has_its_own_bones()
+    {
+        GameObject rig = GenericRig.BuildAfterMesh(out Dictionary<Bone, Transform> bones);
+        rig.AddComponent<GenericRigDriver>();
+        Transform flail = new GameObject("Flail").transform;
+        flail.SetParent(bones[Bone.RightHand], worldPositionStays: false);
+        new GameObject("Chain").transform.SetParent(flail, worldPositionStays: false);
+        ClipRecorder recorder = flail.gameObject.AddComponent<ClipRecorder>();
+        recorder.Kind = ClipKind.Generic;
+        Assert.True(recorder.StartRecording());
+
+        Assert.All(recorder.Take!.Properties, static property => Assert.Equal("Chain", property.Path));
     }
 
     [Fact]

@@ -30,7 +30,7 @@ public sealed partial class SampleSceneTests
         });
         _loop.RunUntil(() => IsMirrored(0.2f));
 
-        Click(desk, "Undo Recenter");
+        Click(desk, "Undo Recenter (key U)");
         _loop.Frame();
         Assert.InRange(DistanceFromCenter(), 0.8f, 1.2f);
         _loop.RunUntil(() => IsMirrored(0.003f));
@@ -141,8 +141,11 @@ public sealed partial class SampleSceneTests
         Assert.Equal(20, Parts().Length);
 
         course.Boxes[0].transform.localPosition = Vector3.zero;
+        (course.Boxes[0].velocity, course.Boxes[0].angularVelocity) = (Vector3.right, Vector3.up);
         course.PutBack();
         Assert.Equal(1, course.Boxes[0].transform.localPosition.magnitude, 0.1f);
+        Assert.Equal((Vector3.zero, Vector3.zero), (course.Boxes[0].velocity, course.Boxes[0].angularVelocity));
+        Assert.False(course.Boxes[0].isKinematic);
 
         Rigidbody[] Parts() => builder.Figure!.Root.GetComponentsInChildren<Rigidbody>();
 
@@ -185,7 +188,7 @@ public sealed partial class SampleSceneTests
 
         Assert.True(rawSteps > 1.2f * smoothSteps, $"{rawSteps} and {smoothSteps}");
 
-        Click(suit, "More noise");
+        Click(suit, "More noise (key M)");
         Assert.Equal(3, suit.Noise);
         Assert.Contains(Shown(suit), static text => text.Contains($"{3:0.0} degrees", StringComparison.Ordinal));
 

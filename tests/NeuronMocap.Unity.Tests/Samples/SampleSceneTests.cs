@@ -1,5 +1,6 @@
 using NeuronMocap.Skeleton;
 using NeuronMocap.Unity.Samples;
+using NeuronMocap.Unity.Tests.Drivers;
 using NeuronMocap.Unity.Tests.Infrastructure;
 using UnityEngine.Rendering;
 
@@ -99,9 +100,26 @@ public sealed partial class SampleSceneTests : IDisposable
         Vector3[] places = [.. spawner.Figures.Select(static figure => figure.Root.transform.localPosition)];
         Assert.Equal(6, places.Distinct().Count());
 
-        Click(crowd, "One more");
+        Click(crowd, "One more (key M)");
         _loop.RunUntil(() => spawner.Figures.Count == 7);
         Assert.Contains(Shown(crowd), static text => text.Contains("7 figures of 7", StringComparison.Ordinal));
+    }
+
+    [Fact]
+    public void The_headset_turns_the_head_of_a_character_whose_driver_finds_its_Animator()
+    {
+        Read("VrHead").Build();
+        HeadsetHead sample = Find<HeadsetHead>();
+        TestFigure figure = TestFigure.Build("Ann");
+        HumanoidDriver driver = figure.Drive(Find<MocapSource>());
+        sample.Driver = driver;
+        Find<MouseLook>().Turn(30, -20);
+        _loop.RunUntil(() => driver.IsDriving);
+        _loop.Frame();
+
+        Assert.Same(figure[Bone.Head], sample.Head);
+        Vector3 eyes = sample.Head!.position + (sample.Headset!.rotation * new Vector3(0, 0.09f, 0.13f));
+        Assert.True((sample.Headset.position - eyes).magnitude < 1e-3f);
     }
 
     [Fact]
@@ -151,12 +169,12 @@ public sealed partial class SampleSceneTests : IDisposable
             Moves(() => second.Figure);
             Assert.True(Measure.Field(desk.Playback, "_file") is string file && File.Exists(file));
 
-            Click(desk, "Record");
+            Click(desk, "Record (key R)");
             Assert.Equal(RecorderState.Recording, desk.Recorder.State);
             _loop.RunUntil(() => desk.Recorder.Frames > 5);
             Assert.Contains(Shown(desk), static text => text.Contains("frames", StringComparison.Ordinal));
             string before = desk.Take;
-            Click(desk, "Stop and play");
+            Click(desk, "Stop and play (key R)");
             _loop.RunUntil(() => desk.Take != before);
         }
         finally

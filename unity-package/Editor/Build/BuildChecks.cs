@@ -26,8 +26,12 @@ namespace NeuronMocap.Unity.EditorTools
         // Also called when a scene enters play mode in the editor. The report is then null.
         public void OnProcessScene(Scene scene, BuildReport? report)
         {
+            if (report is null)
+                return;
+
+            BuildMaterials.Add(scene);
             BuildProblem wanted = NeuronMocapSettings.instance.WebGL;
-            if (report is null || report.summary.platform != BuildTarget.WebGL || wanted == BuildProblem.Ignore)
+            if (report.summary.platform != BuildTarget.WebGL || wanted == BuildProblem.Ignore)
                 return;
 
             foreach (MocapSource source in scene.GetRootGameObjects().SelectMany(root => root.GetComponentsInChildren<MocapSource>(true)))

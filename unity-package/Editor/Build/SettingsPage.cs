@@ -20,8 +20,7 @@ namespace NeuronMocap.Unity.EditorTools
 
         internal static void Draw(NeuronMocapSettings settings)
         {
-            // Unity marks singletons as not editable, which would disable all fields.
-            settings.hideFlags &= ~HideFlags.NotEditable;
+            FieldDrawing.MakeEditable(settings);
             var serialized = new SerializedObject(settings);
             EditorGUILayout.LabelField("iOS, tvOS, visionOS", EditorStyles.boldLabel);
             SerializedProperty addText = serialized.FindProperty("_addLocalNetworkText");

@@ -23,8 +23,12 @@ namespace NeuronMocap.Unity.EditorTools
         // A changed look applies from the next figure on.
         protected override void DrawButtons()
         {
-            if (GUILayout.Button(Rebuild))
-                ((FigureBuilder)target).Rebuild();
+            var builder = (FigureBuilder)target;
+            using (new EditorGUI.DisabledScope(!builder.isActiveAndEnabled))
+            {
+                if (GUILayout.Button(Rebuild))
+                    builder.Rebuild();
+            }
         }
     }
 }

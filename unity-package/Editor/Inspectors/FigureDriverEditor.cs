@@ -26,11 +26,15 @@ namespace NeuronMocap.Unity.EditorTools
         {
             serializedObject.Update();
             int? preset = null;
+            SerializedProperty weights = serializedObject.FindProperty("_boneWeights");
+            bool hadNone = weights.arraySize == 0 && !weights.hasMultipleDifferentValues;
             FieldDrawing.Draw(serializedObject, IsHidden, property =>
             {
                 if (property.name is "_smoothing")
                     preset = SmoothingPresets.Draw(targets);
             });
+            if (hadNone)
+                GiveFullWeight(weights);
             if (serializedObject.ApplyModifiedProperties())
                 _problems = null;
             if (preset is { } chosen)
@@ -107,6 +111,13 @@ namespace NeuronMocap.Unity.EditorTools
             "_idleBlendTime" => serializedObject.Is("_whenIdle", (int)IdleBehaviour.Hold),
             _ => false,
         };
+
+        // Unity fills the first element of a list with zeros, which would stop the hips.
+        private static void GiveFullWeight(SerializedProperty weights)
+        {
+            for (int i = 0; i < weights.arraySize; i++)
+                weights.GetArrayElementAtIndex(i).FindPropertyRelative(nameof(HumanoidBoneWeight.Weight)).floatValue = 1;
+        }
 
         private void DrawRig(IReadOnlyList<RigProblem> problems)
         {

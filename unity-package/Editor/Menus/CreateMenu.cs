@@ -16,7 +16,11 @@ namespace NeuronMocap.Unity.EditorTools
         public static void CreateSource(MenuCommand command) => Create<MocapSource>("Mocap Source", command);
 
         [MenuItem(Menu + "Performer Spawner", false, Priority)]
-        public static void CreateSpawner(MenuCommand command) => Create<PerformerSpawner>("Performer Spawner", command);
+        public static void CreateSpawner(MenuCommand command)
+        {
+            PerformerSpawner spawner = Create<PerformerSpawner>("Performer Spawner", command);
+            spawner.Source = SceneSources.FirstIn(spawner.gameObject.scene);
+        }
 
         [MenuItem(Menu + "Skeleton View", false, Priority)]
         public static void CreateView(MenuCommand command) => Create<SkeletonView>("Skeleton View", command);
@@ -59,9 +63,7 @@ namespace NeuronMocap.Unity.EditorTools
         internal static T Create<T>(string name, MenuCommand? command)
             where T : Component
         {
-            var created = new GameObject(name);
-            GameObjectUtility.SetParentAndAlign(created, command?.context as GameObject);
-            Undo.RegisterCreatedObjectUndo(created, $"Create {name}");
+            GameObject created = OpenScenes.Create(name, command?.context as GameObject);
             T component = created.AddComponent<T>();
             Selection.activeGameObject = created;
             return component;

@@ -2,6 +2,7 @@
 
 using UnityEditor;
 using UnityEngine;
+using UnityEngine.SceneManagement;
 
 namespace NeuronMocap.Unity.EditorTools
 {
@@ -17,29 +18,29 @@ namespace NeuronMocap.Unity.EditorTools
 
         public static void Create()
         {
-            MocapSource source = FindSource();
-            GameObject figure = Make("Figure");
+            GameObject figure = OpenScenes.Create("Figure");
+            MocapSource source = FindSource(figure.scene);
             figure.transform.position = FigurePosition;
             HumanoidDriver driver = figure.AddComponent<HumanoidDriver>();
             driver.Source = source;
             figure.AddComponent<FigureBuilder>();
 
-            GameObject stage = Make("Stage");
+            GameObject stage = OpenScenes.Create("Stage");
             StageBuilder builder = stage.AddComponent<StageBuilder>();
             builder.Target = figure.transform;
             builder.HasLight = !Has<Light>();
-            if (Camera.main is { } camera && camera != null)
+            if (Camera.main is { } camera && camera != null && camera.gameObject.scene == figure.scene)
                 Follow(camera, figure.transform);
 
             Selection.activeGameObject = source.gameObject;
         }
 
-        private static MocapSource FindSource()
+        private static MocapSource FindSource(Scene scene)
         {
-            if (SceneSources.Find() is { Count: > 0 } sources)
-                return sources[0];
+            if (SceneSources.FirstIn(scene) is { } found)
+                return found;
 
-            MocapSource source = Make("Mocap Source").AddComponent<MocapSource>();
+            MocapSource source = OpenScenes.Create("Mocap Source").AddComponent<MocapSource>();
             source.Kind = SourceKind.Simulator;
             return source;
         }
@@ -70,18 +71,11 @@ namespace NeuronMocap.Unity.EditorTools
         {
             foreach (T found in Resources.FindObjectsOfTypeAll<T>())
             {
-                if (!EditorUtility.IsPersistent(found) && found.gameObject.scene.IsValid())
+                if (OpenScenes.Contains(found))
                     return true;
             }
 
             return false;
-        }
-
-        private static GameObject Make(string name)
-        {
-            var made = new GameObject(name);
-            Undo.RegisterCreatedObjectUndo(made, $"Create {name}");
-            return made;
         }
     }
 }

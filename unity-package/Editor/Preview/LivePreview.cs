@@ -22,8 +22,8 @@ namespace NeuronMocap.Unity.EditorTools
         public static bool Includes(MocapSource source) => Sources.Contains(source);
 
         // Assets and disabled components have no preview.
-        public static bool CanStart(MocapSource source) => !EditorApplication.isPlayingOrWillChangePlaymode && !EditorUtility.IsPersistent(source)
-            && source.gameObject.scene.IsValid() && source.isActiveAndEnabled;
+        public static bool CanStart(MocapSource source) =>
+            !EditorApplication.isPlayingOrWillChangePlaymode && OpenScenes.Contains(source) && source.isActiveAndEnabled;
 
         public static void Start(MocapSource source)
         {
@@ -115,9 +115,7 @@ namespace NeuronMocap.Unity.EditorTools
             foreach (FigureDriver gone in _figures.Where(figure => figure == null))
                 gone.EndPreview();
 
-            _figures = Resources.FindObjectsOfTypeAll<FigureDriver>()
-                .Where(figure => !EditorUtility.IsPersistent(figure) && figure.gameObject.scene.IsValid())
-                .ToArray();
+            _figures = Resources.FindObjectsOfTypeAll<FigureDriver>().Where(OpenScenes.Contains).ToArray();
         }
 
         private static void OnPlayModeChanged(PlayModeStateChange change) => StopAll();

@@ -12,6 +12,8 @@ namespace NeuronMocap.Unity.EditorTools
     // Checks a Humanoid figure as its driver will use it, before play mode, and offers fixes.
     internal static class HumanoidCheck
     {
+        public const string BuiltLater = "The figure is built in play mode.";
+
         public static IReadOnlyList<RigProblem> Examine(HumanoidDriver driver)
         {
             Animator? animator = driver.Animator != null ? driver.Animator : driver.GetComponentInChildren<Animator>(true);
@@ -33,6 +35,9 @@ namespace NeuronMocap.Unity.EditorTools
 
         private static RigProblem WithoutAnimator(HumanoidDriver driver)
         {
+            if (driver.TryGetComponent(out FigureBuilder _))
+                return new RigProblem(Severity.None, BuiltLater);
+
             Animator? above = driver.GetComponentInParent<Animator>();
             return above != null
                 ? new RigProblem(

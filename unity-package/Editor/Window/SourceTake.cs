@@ -109,7 +109,8 @@ namespace NeuronMocap.Unity.EditorTools
                 clip.hideFlags = HideFlags.DontSave | HideFlags.HideInInspector;
                 clip.FileName = $"{_name} {driver.name}";
                 clip.Kind = driver is HumanoidDriver ? kind : ClipKind.Generic;
-                clip.Animator = driver is HumanoidDriver humanoid ? humanoid.Animator : null;
+                clip.Animator = driver is HumanoidDriver humanoid ? humanoid.ActiveAnimator : null;
+                clip.Hips = driver is HumanoidDriver ? null : driver.FindHips();
                 if (clip.StartRecording())
                 {
                     _clips.Add(clip);

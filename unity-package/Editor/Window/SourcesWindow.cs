@@ -80,6 +80,7 @@ namespace NeuronMocap.Unity.EditorTools
         private void DrawTakeSettings()
         {
             TakeSettings settings = TakeSettings.instance;
+            FieldDrawing.MakeEditable(settings);
             if (_takes is null || _takes.targetObject != settings)
                 _takes = new SerializedObject(settings);
 

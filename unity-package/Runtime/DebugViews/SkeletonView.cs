@@ -170,7 +170,7 @@ namespace NeuronMocap.Unity
         // The transform at the stage's origin.
         private Transform Stage => _driver switch
         {
-            HumanoidDriver humanoid when humanoid != null && humanoid.Animator != null => humanoid.Animator.transform,
+            HumanoidDriver humanoid when humanoid != null && humanoid.ActiveAnimator is { } animator => animator.transform,
             GenericRigDriver generic when generic != null && generic.Root != null => generic.Root,
             { } driver when driver != null => driver.transform,
             _ => transform,

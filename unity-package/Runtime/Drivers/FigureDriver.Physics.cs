@@ -26,6 +26,13 @@ namespace NeuronMocap.Unity
             return _rig ?? CreateRig(out problem);
         }
 
+        // The transform that carries the figure, or null if there is no figure.
+        internal Transform? FindHips()
+        {
+            Transform? hips = FindRig(out _) is { } rig ? rig.Nodes[rig.Target.HipsNode] : null;
+            return hips != null ? hips : null;
+        }
+
         // In a physics step, the place that the bone is moving to. In play mode, a faulty figure is looked for by the driver only, and not in every frame.
         internal bool TryGetBonePose(HumanoidBone bone, out Vector3 position, out Quaternion rotation)
         {

@@ -86,7 +86,7 @@ namespace NeuronMocap.Unity
             EndSteps();
         }
 
-        private protected void OnValidate() => _rigProblem = null;
+        private protected virtual void OnValidate() => _rigProblem = null;
 
         private void Update()
         {

@@ -14,7 +14,7 @@ namespace NeuronMocap.Unity
     /// </summary>
     [AddComponentMenu("NeuronMocap/Generic Rig Driver")]
     [HelpURL(HelpPage.Components + "#generic-rig-driver")]
-    public sealed class GenericRigDriver : FigureDriver
+    public sealed partial class GenericRigDriver : FigureDriver
     {
         private const string NotTPose =
             "At rest, the rig is not in a T-pose, so its limbs are off by the difference. Set Rest Pose Choice to T Pose.";
@@ -87,12 +87,13 @@ namespace NeuronMocap.Unity
 
         internal Transform RigRoot => _root != null ? _root : transform;
 
-        private protected override bool IsBound => _bound != null && _bound == RigRoot && _boundChoice == _restPoseChoice;
+        private protected override bool IsBound => !_hasOtherNames && _bound != null && _bound == RigRoot && _boundChoice == _restPoseChoice;
 
         private protected override FigureRig? CreateRig(out string problem)
         {
             Transform root = RigRoot;
             (_bound, _boundChoice) = (root, _restPoseChoice);
+            RememberNames();
             Transform?[] bones = FindBones(root);
             if (bones[0] == null)
             {
@@ -133,59 +134,6 @@ namespace NeuronMocap.Unity
                 if ((uint)bone.Bone < BoneHierarchy.BoneCount)
                     weights[bone.Bone] = Mathf.Clamp01(bone.Weight);
             }
-        }
-
-        internal Transform?[] FindBones(Transform root)
-        {
-            RigBinding binding = BindNames(root, _prefix.Length > 0 ? _prefix : null, out Transform[] all);
-            var bones = new Transform?[BoneHierarchy.BoneCount];
-            for (int bone = 0; bone < bones.Length; bone++)
-                bones[bone] = binding.Nodes[bone] is var node && node > 0 ? all[node] : null;
-
-            foreach (BoneBinding given in _bindings)
-            {
-                if (given.Transform != null && (uint)given.Bone < BoneHierarchy.BoneCount)
-                    Assign(bones, given);
-            }
-
-            var missing = new List<Bone>();
-            for (int bone = 0; bone < bones.Length; bone++)
-            {
-                if (bones[bone] == null)
-                    missing.Add((Bone)bone);
-            }
-
-            MissingBones = missing;
-            return bones;
-        }
-
-        // all: the transforms in the order of the binding's nodes.
-        internal static RigBinding BindNames(Transform root, string? prefix, out Transform[] all)
-        {
-            all = root.GetComponentsInChildren<Transform>(true);
-            string[] names = Array.ConvertAll(all, node => node.name);
-
-            // The root itself is not a bone, whatever its name.
-            names[0] = string.Empty;
-            var indices = new Dictionary<Transform, int>();
-            var parents = new int[all.Length];
-            for (int node = 0; node < all.Length; node++)
-            {
-                parents[node] = node == 0 ? -1 : indices[all[node].parent!];
-                indices.Add(all[node], node);
-            }
-
-            return RigBinder.Bind(names, prefix, parents: parents);
-        }
-
-        // A transform belongs to one bone only: the bone that it is listed for.
-        private static void Assign(Transform?[] bones, BoneBinding given)
-        {
-            int found = Array.IndexOf(bones, given.Transform);
-            if (found >= 0)
-                bones[found] = null;
-
-            bones[(int)given.Bone] = given.Transform;
         }
     }
 }

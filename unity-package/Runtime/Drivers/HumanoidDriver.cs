@@ -41,6 +41,9 @@ namespace NeuronMocap.Unity
             }
         }
 
+        /// <summary>Gets the Animator in use: <see cref="Animator"/>, or the one that was found. Null while there is no figure.</summary>
+        public Animator? ActiveAnimator => Rig != null && _bound != null ? _bound : null;
+
         /// <summary>Gets weights of single bones, multiplied by those of their body parts. Bones that are not listed have weight 1.</summary>
         public IList<HumanoidBoneWeight> BoneWeights => _boneWeights;
 

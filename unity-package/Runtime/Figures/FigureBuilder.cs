@@ -63,8 +63,16 @@ namespace NeuronMocap.Unity
         /// <summary>Gets the reason why there is no figure in the performer's sizes. Empty if there is no problem.</summary>
         public string Problem { get; private set; } = "";
 
-        /// <summary>Builds the figure again, with the current look.</summary>
-        public void Rebuild() => Build(Driver.Performer?.Body ?? Figure?.Body ?? SkeletonBody.GetDefault());
+        /// <summary>
+        /// Builds the figure again, with the current look. It does nothing while this component or its object is disabled: the figure is built, with the
+        /// current look, when they are enabled.
+        /// </summary>
+        public void Rebuild()
+        {
+            // An object that was never active has no driver yet.
+            if (isActiveAndEnabled && Driver != null)
+                Build(Driver.Performer?.Body ?? Figure?.Body ?? SkeletonBody.GetDefault());
+        }
 
         private void Awake() => Driver = GetComponent<HumanoidDriver>();
 

@@ -17,8 +17,8 @@ namespace NeuronMocap.Unity
         private Color _accentColor = new Color(0.95f, 0.42f, 0.1f);
 
         [SerializeField]
-        [Tooltip("A material to copy and colour. Empty: the lit material of the render pipeline. Set one for builds with shader stripping: "
-            + "a player contains only shaders that a material of the project uses.")]
+        [Tooltip("A material to copy and colour. Empty: the lit material of the render pipeline, which builds of the scene include. Set one if a prefab or a "
+            + "script adds the figure: with URP or HDRP, a player may lack it otherwise.")]
         private Material? _material;
 
         /// <summary>Gets or sets the colour of body, limbs and head.</summary>
@@ -36,8 +36,8 @@ namespace NeuronMocap.Unity
         }
 
         /// <summary>
-        /// Gets or sets a material to copy and colour. Null: the lit material of the render pipeline. A player contains only shaders that a material
-        /// of the project uses, so a build may need a material here.
+        /// Gets or sets a material to copy and colour. Null: the lit material of the render pipeline. Builds include it for the components of their
+        /// scenes. For figures that prefabs or scripts add, set a material that is in the build.
         /// </summary>
         public Material? Material
         {

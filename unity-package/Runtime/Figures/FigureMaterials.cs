@@ -32,6 +32,8 @@ namespace NeuronMocap.Unity
         // Always in a player, in any pipeline; unlit.
         private static readonly string[] LastResorts = { "Sprites/Default", "UI/Default", "Hidden/InternalErrorShader" };
 
+        private static bool _hasWarned;
+
         public static Material Create(Material? template, Color color, string name)
         {
             Material material = template != null ? new Material(template) : new Material(FindShader());
@@ -54,9 +56,26 @@ namespace NeuronMocap.Unity
             if (shader == null)
                 shader = Find(pipeline == null ? BuiltInShaders : PipelineShaders);
             if (shader == null)
+            {
                 shader = Find(LastResorts);
+                Warn();
+            }
 
             return shader!;
+        }
+
+        // Without a reload of scripts, a new game would say nothing.
+        [RuntimeInitializeOnLoadMethod(RuntimeInitializeLoadType.SubsystemRegistration)]
+        private static void Forget() => _hasWarned = false;
+
+        private static void Warn()
+        {
+            if (_hasWarned)
+                return;
+
+            _hasWarned = true;
+            Debug.LogWarning("NeuronMocap: this player has no lit shader of its render pipeline, so built figures and the ground are flat. Set a Material in "
+                + "the Look of Figure Builder, in Performer Spawner, or as Ground Material of Stage Builder.");
         }
 
         private static Shader? Find(string[] names)

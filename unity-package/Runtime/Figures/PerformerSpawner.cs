@@ -16,6 +16,8 @@ namespace NeuronMocap.Unity
     [DefaultExecutionOrder(200)]
     public sealed class PerformerSpawner : MonoBehaviour
     {
+        private const string NoSource = "Set Source to the Mocap Source whose performers get figures.";
+
         [SerializeField]
         [Tooltip("The source whose performers get figures.")]
         private MocapSource? _source;
@@ -23,6 +25,10 @@ namespace NeuronMocap.Unity
         [SerializeField]
         [Tooltip("A character with an Animator and a Humanoid avatar, or with its own driver. Empty: a figure of simple shapes in each performer's sizes.")]
         private GameObject? _prefab;
+
+        [SerializeField]
+        [Tooltip("A material to copy and colour for figures without a prefab. Empty: the lit material of the render pipeline, which builds of the scene include.")]
+        private Material? _material;
 
         [SerializeField]
         [Range(1, 64)]
@@ -96,6 +102,16 @@ namespace NeuronMocap.Unity
             set => _prefab = value;
         }
 
+        /// <summary>
+        /// Gets or sets a material to copy and colour for figures without a prefab. Null: the lit material of the render pipeline, which builds of the
+        /// scene include. Affects figures created later.
+        /// </summary>
+        public Material? Material
+        {
+            get => _material;
+            set => _material = value;
+        }
+
         /// <summary>Gets or sets the maximum number of figures at a time, 1 to 64.</summary>
         public int MaxFigures
         {
@@ -162,6 +178,8 @@ namespace NeuronMocap.Unity
         {
             if (_source != null)
                 Show(_source);
+            else
+                ReportNoSource();
 
             // Handlers may disable the spawner, which empties the list.
             for (int i = _figures.Count - 1; i >= 0; i--)
@@ -181,9 +199,15 @@ namespace NeuronMocap.Unity
 
             // A handler may have set another source.
             _shownSource = source;
+            if (string.Equals(Problem, NoSource, StringComparison.Ordinal))
+                Problem = "";
+
             if (_source == source)
                 SpawnMissing(source.Performers);
         }
+
+        // What was wrong with the performers of a source is found again with the next source.
+        private void ReportNoSource() => (Problem, _isFull, _badPrefab) = (NoSource, false, null);
 
         private void SpawnMissing(IReadOnlyList<Performer> performers)
         {
@@ -215,7 +239,7 @@ namespace NeuronMocap.Unity
                 return;
 
             int place = FindPlace();
-            GameObject? root = _prefab == null ? CreateBuilt(performer) : CreateFromPrefab(_prefab);
+            GameObject? root = _prefab == null ? CreateBuilt(performer, _material) : CreateFromPrefab(_prefab);
             if (root == null)
                 return;
 
@@ -236,13 +260,14 @@ namespace NeuronMocap.Unity
         }
 
         // Inactive until everything is set. Otherwise the driver would look for a source of its own.
-        private static GameObject CreateBuilt(Performer performer)
+        private static GameObject CreateBuilt(Performer performer, Material? material)
         {
             var root = new GameObject();
             root.SetActive(false);
             root.AddComponent<HumanoidDriver>();
             FigureBuilder builder = root.AddComponent<FigureBuilder>();
             builder.Look = FigureLook.Numbered(performer.AvatarIndex);
+            builder.Look.Material = material;
             builder.ShowBeforeData = false;
             return root;
         }

@@ -40,7 +40,7 @@ namespace NeuronMocap.Unity
         private Color _groundColor = new Color(0.32f, 0.34f, 0.38f);
 
         [SerializeField]
-        [Tooltip("A material to copy and colour. Empty: the lit material of the render pipeline.")]
+        [Tooltip("A material to copy and colour. Empty: the lit material of the render pipeline, which builds of the scene include.")]
         private Material? _groundMaterial;
 
         [SerializeField]

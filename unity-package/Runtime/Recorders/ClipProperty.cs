@@ -1,4 +1,5 @@
 #nullable enable
+using System;
 using System.Collections.Generic;
 
 namespace NeuronMocap.Unity
@@ -30,6 +31,9 @@ namespace NeuronMocap.Unity
         public bool IsTransform { get; }
 
         public bool IsRotation => Components.Count == 4;
+
+        public bool IsSame(ClipProperty other) =>
+            string.Equals(Path, other.Path, StringComparison.Ordinal) && string.Equals(Name, other.Name, StringComparison.Ordinal);
 
         public static ClipProperty Muscle(string name) => new ClipProperty("", name, Single, false);
 

@@ -1,6 +1,5 @@
 #nullable enable
 using System;
-using System.IO;
 using UnityEngine;
 
 namespace NeuronMocap.Unity
@@ -12,11 +11,8 @@ namespace NeuronMocap.Unity
     [AddComponentMenu("NeuronMocap/Clip Recorder")]
     [HelpURL(HelpPage.Components + "#clip-recorder")]
     [DefaultExecutionOrder(1000)]
-    public sealed class ClipRecorder : TakeRecorder
+    public sealed partial class ClipRecorder : TakeRecorder
     {
-        // A frame that comes slightly early is taken anyway.
-        private const float EarlyPart = 0.25f;
-
         [SerializeField]
         [Tooltip("The character. Empty: the one on this object, or below it.")]
         private Animator? _animator;
@@ -26,7 +22,7 @@ namespace NeuronMocap.Unity
         private ClipKind _kind = ClipKind.Humanoid;
 
         [SerializeField]
-        [Tooltip("Generic clips: the bone that moves the character. Empty: the hips, or else the object's first child.")]
+        [Tooltip("Generic clips: the bone that moves the character. Empty: the hips of the avatar or of a driver, or else the object's first child.")]
         private Transform? _hips;
 
         [SerializeField]
@@ -42,10 +38,6 @@ namespace NeuronMocap.Unity
         [SerializeField]
         [Tooltip("Folder below Assets where clips are saved.")]
         private string _folder = "Recordings";
-
-        private ClipSampler? _sampler;
-        private float _time;
-        private float _nextTime;
 
         /// <summary>Occurs when a take has ended, before it is saved. Main thread.</summary>
         public event Action<ClipTake>? Finished;
@@ -67,7 +59,9 @@ namespace NeuronMocap.Unity
             set => _kind = value;
         }
 
-        /// <summary>Gets or sets the bone that moves the character in generic clips. Null: the hips, or else the first child.</summary>
+        /// <summary>
+        /// Gets or sets the bone that moves the character in generic clips. Null: the hips of the avatar or of a driver, or else the first child.
+        /// </summary>
         public Transform? Hips
         {
             get => _hips;
@@ -109,84 +103,5 @@ namespace NeuronMocap.Unity
 
         /// <summary>Gets the path of the last take's asset, such as "Assets/Recordings/Ann.anim". Empty before the first asset.</summary>
         public string SavedPath { get; private set; } = "";
-
-        /// <summary>Ends the take and, in the editor, saves it.</summary>
-        public override void StopRecording()
-        {
-            if (_sampler is null)
-                return;
-
-            _sampler.Dispose();
-            _sampler = null;
-            Handlers.Raise(Finished, Take!, this);
-            Save(Take!);
-        }
-
-        private protected override string Begin()
-        {
-            Animator? animator = _animator != null ? _animator : GetComponentInChildren<Animator>();
-            _sampler = ClipSamplers.Create(_kind, animator, transform, _hips, out string problem);
-            if (_sampler is null)
-                return problem;
-
-            SavedPath = "";
-            Take = new ClipTake(_sampler.Properties, _kind == ClipKind.Humanoid, _frameRate);
-            _time = 0;
-            _nextTime = 0;
-            return "";
-        }
-
-        private void LateUpdate()
-        {
-            if (_sampler is null || Take is null)
-                return;
-
-            if (_sampler.IsGone)
-            {
-                StopRecording();
-                if (Problem.Length == 0)
-                    Problem = "The take has ended early, because its character was destroyed.";
-
-                return;
-            }
-
-            if (Take.FrameCount > 0)
-                _time += FrameTime.Delta;
-
-            float period = 1 / _frameRate;
-            if (_time < _nextTime - (EarlyPart * period))
-                return;
-
-            _nextTime = Mathf.Max(_nextTime + period, _time);
-            _sampler.Sample();
-            Take.Add(_time, _sampler.Values);
-        }
-
-        private void OnDisable() => StopRecording();
-
-        private void Save(ClipTake take)
-        {
-            if (take.FrameCount == 0)
-            {
-                Problem = "Nothing was recorded: the take ended before the first frame.";
-                return;
-            }
-
-            if (Saver is null)
-            {
-                Problem = "Only the editor can save clips. In a player, Motion Recorder writes BVH.";
-                return;
-            }
-
-            try
-            {
-                SavedPath = Saver(this, take);
-                CountUp();
-            }
-            catch (Exception exception) when (exception is IOException || exception is UnauthorizedAccessException || exception is ArgumentException)
-            {
-                Problem = "The clip was not saved: " + exception.Message;
-            }
-        }
     }
 }

@@ -35,11 +35,32 @@ namespace NeuronMocap.Unity
         // Whether the character was destroyed.
         public abstract bool IsGone { get; }
 
+        protected abstract TakeOrigin Origin { get; }
+
         public void Sample()
         {
             _next = 0;
             _rotation = 0;
             Read();
+        }
+
+        // Goes on with the take of a character that this one replaces. Returns false if the values have other meanings.
+        public bool TryContinue(ClipSampler before)
+        {
+            if (Properties.Count != before.Properties.Count)
+                return false;
+
+            for (int i = 0; i < Properties.Count; i++)
+            {
+                if (!Properties[i].IsSame(before.Properties[i]))
+                    return false;
+            }
+
+            Origin.Continue(before.Origin);
+            for (int i = 0; i < _last.Count; i++)
+                _last[i] = before._last[i];
+
+            return true;
         }
 
         public virtual void Dispose()

@@ -7,10 +7,21 @@ namespace NeuronMocap.Unity
     // Chooses how a character is sampled for a clip.
     internal static class ClipSamplers
     {
-        // owner: the root of a character without an Animator. hips: null for the hips of a Humanoid, or else the root's first child.
+        // owner: the root of a character without an Animator. hips: null for those of a Humanoid or of a driver, or else the root's first child.
         public static ClipSampler? Create(ClipKind kind, Animator? animator, Transform owner, Transform? hips, out string problem) => kind == ClipKind.Humanoid
             ? CreateHumanoid(animator, out problem)
             : CreateGeneric(animator, animator != null ? animator.transform : owner, hips, out problem);
+
+        // For the rest of a take whose character is gone. Null if the take does not fit the character that took its place.
+        public static ClipSampler? Replace(ClipSampler gone, ClipKind kind, Animator animator, Transform? hips)
+        {
+            ClipSampler? next = Create(kind, animator, animator.transform, hips, out _);
+            if (next is null || next.TryContinue(gone))
+                return next;
+
+            next.Dispose();
+            return null;
+        }
 
         private static ClipSampler? CreateHumanoid(Animator? animator, out string problem)
         {
@@ -26,6 +37,8 @@ namespace NeuronMocap.Unity
         {
             if (hips == null && animator != null && animator.isHuman)
                 hips = animator.GetBoneTransform(HumanBodyBones.Hips);
+            if (hips == null)
+                hips = FindDriven(root);
             if (hips == null && root.childCount > 0)
                 hips = root.GetChild(0);
 
@@ -38,6 +51,14 @@ namespace NeuronMocap.Unity
             var bones = new List<Transform>();
             hips!.GetComponentsInChildren(true, bones);
             return new GenericSampler(root, hips, bones);
+        }
+
+        // The hips that a driver on the root or above it moves. The figure of a driver above may also be another one, which holds the root.
+        private static Transform? FindDriven(Transform root)
+        {
+            FigureDriver driver = root.GetComponentInParent<FigureDriver>();
+            Transform? hips = driver != null ? driver.FindHips() : null;
+            return hips != null && hips.IsChildOf(root) ? hips : null;
         }
     }
 }

@@ -9,7 +9,6 @@ namespace NeuronMocap.Unity
     {
         private readonly Transform _root;
         private readonly Transform _mover;
-        private readonly TakeOrigin _origin;
         private readonly IReadOnlyList<Transform> _bones;
 
         // Paths start below the root, on which the clip will be played. mover: the hips. bones: all transforms that turn, including the hips.
@@ -18,15 +17,17 @@ namespace NeuronMocap.Unity
         {
             _root = root;
             _mover = mover;
-            _origin = new TakeOrigin(root);
+            Origin = new TakeOrigin(root);
             _bones = bones;
         }
 
         public override bool IsGone => _root == null || _mover == null;
 
+        protected override TakeOrigin Origin { get; }
+
         protected override void Read()
         {
-            _origin.Follow();
+            Origin.Follow();
             bool isRoot = _mover == _root || _mover.parent == null;
             Put(isRoot ? _mover.localPosition : ToStart(_mover.position));
             for (int i = 0; i < _bones.Count; i++)
@@ -41,10 +42,10 @@ namespace NeuronMocap.Unity
 
         // The local place of the mover, if the root had stayed.
         private Vector3 ToStart(Vector3 place) =>
-            _mover.parent!.InverseTransformPoint(_root.TransformPoint(_origin.ToStart(_root.InverseTransformPoint(place))));
+            _mover.parent!.InverseTransformPoint(_root.TransformPoint(Origin.ToStart(_root.InverseTransformPoint(place))));
 
         private Quaternion ToStart(Quaternion rotation) =>
-            Quaternion.Inverse(_mover.parent!.rotation) * _root.rotation * _origin.ToStart(Quaternion.Inverse(_root.rotation) * rotation);
+            Quaternion.Inverse(_mover.parent!.rotation) * _root.rotation * Origin.ToStart(Quaternion.Inverse(_root.rotation) * rotation);
 
         private static IReadOnlyList<ClipProperty> CreateProperties(Transform root, Transform mover, IReadOnlyList<Transform> bones)
         {

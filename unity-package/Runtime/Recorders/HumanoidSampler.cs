@@ -17,7 +17,6 @@ namespace NeuronMocap.Unity
         private readonly HumanPoseHandler _handler;
         private readonly bool _isInWorld;
         private readonly HumanoidGoals? _goals;
-        private readonly TakeOrigin _origin;
         private HumanPose _pose;
 
         public HumanoidSampler(Animator animator)
@@ -30,7 +29,7 @@ namespace NeuronMocap.Unity
         {
             _goals = goals;
             _root = animator.transform;
-            _origin = new TakeOrigin(_root);
+            Origin = new TakeOrigin(_root);
             _scale = animator.humanScale > 0 ? animator.humanScale : 1;
             _handler = new HumanPoseHandler(animator.avatar!, _root);
             _isInWorld = IsBodyInWorld();
@@ -55,6 +54,8 @@ namespace NeuronMocap.Unity
 
         public override bool IsGone => _root == null;
 
+        protected override TakeOrigin Origin { get; }
+
         public override void Dispose() => _handler.Dispose();
 
         protected override void Read()
@@ -68,9 +69,9 @@ namespace NeuronMocap.Unity
                 rotation = Quaternion.Inverse(_root.rotation) * rotation;
             }
 
-            _origin.Follow();
-            Put(_origin.ToStart(position * _scale) / _scale);
-            Put(_origin.ToStart(rotation));
+            Origin.Follow();
+            Put(Origin.ToStart(position * _scale) / _scale);
+            Put(Origin.ToStart(rotation));
             foreach (float muscle in _pose.muscles)
                 Put(muscle);
 

@@ -23,6 +23,9 @@ namespace NeuronMocap.Unity
             (_position, _rotation, _hasBegun) = (_root.position, _root.rotation, true);
         }
 
+        // The take began at the place of another root.
+        public void Continue(TakeOrigin before) => (_position, _rotation, _hasBegun) = (before._position, before._rotation, before._hasBegun);
+
         // A place in the space of the root, relative to where the root stood.
         public Vector3 ToStart(Vector3 position)
         {

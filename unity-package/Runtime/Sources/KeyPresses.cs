@@ -5,12 +5,17 @@ using UnityEngine;
 
 namespace NeuronMocap.Unity
 {
-    // Keys that were pressed in this frame, whichever input handling the project uses.
-    internal static class KeyPresses
+    /// <summary>
+    /// Keys that were pressed in this frame, with the old Input Manager and with the package Input System. Use it on the main thread.
+    /// </summary>
+    public static class KeyPresses
     {
         // Set by the assembly for the package Input System, which a project may lack.
-        public static Func<KeyCode, bool>? IsPressedInInputSystem { get; set; }
+        internal static Func<KeyCode, bool>? IsPressedInInputSystem { get; set; }
 
+        /// <summary>Returns whether a key was pressed in this frame. A key that is held counts in its first frame only.</summary>
+        /// <param name="key">The key. <see cref="KeyCode.None"/> is never pressed.</param>
+        /// <returns>True in the frame in which the key went down.</returns>
         public static bool IsPressed(KeyCode key)
         {
             if (key == KeyCode.None)

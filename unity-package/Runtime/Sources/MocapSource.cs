@@ -25,7 +25,7 @@ namespace NeuronMocap.Unity
         private SourceKind _kind;
 
         [Header("Network")]
-        [Tooltip("Name or address of the computer that runs Axis Neuron or Axis Studio. 127.0.0.1 is this computer. Not used for UDP.")]
+        [Tooltip("Name or address of the computer that runs Axis Neuron or Axis Studio. 127.0.0.1 is this computer. Over UDP, used only for the command channel.")]
         [Delayed]
         [SerializeField]
         private string _address = "127.0.0.1";
@@ -149,7 +149,7 @@ namespace NeuronMocap.Unity
             set => Set(ref _kind, value);
         }
 
-        /// <summary>Gets or sets the name or address of the server. Not used for UDP. The default is 127.0.0.1.</summary>
+        /// <summary>Gets or sets the name or address of the server. Over UDP, it is used only for the command channel. The default is 127.0.0.1.</summary>
         public string Address
         {
             get => _address;

@@ -56,6 +56,15 @@ namespace NeuronMocap.Unity.Samples
             _spawner.Despawning -= OnDespawning;
         }
 
+        // Clicks on the buttons below need the old Input Manager.
+        private void Update()
+        {
+            if (KeyPresses.IsPressed(KeyCode.M))
+                Change(1);
+            if (KeyPresses.IsPressed(KeyCode.F))
+                Change(-1);
+        }
+
         private void OnGUI()
         {
             if (_source == null || _spawner == null)
@@ -64,9 +73,9 @@ namespace NeuronMocap.Unity.Samples
             GUILayout.BeginArea(new Rect(10, 10, 260, 120));
             GUILayout.Label($"{_spawner.Figures.Count} figures of {_source.PerformerCount} performers");
             GUILayout.BeginHorizontal();
-            if (GUILayout.Button("One more"))
+            if (GUILayout.Button("One more (key M)"))
                 Change(1);
-            if (GUILayout.Button("One fewer"))
+            if (GUILayout.Button("One fewer (key F)"))
                 Change(-1);
 
             GUILayout.EndHorizontal();

@@ -52,8 +52,12 @@ namespace NeuronMocap.Unity.Samples
             {
                 // The performer starts at the first place.
                 float angle = (i + 1) * 2 * Mathf.PI / Places;
+
+                // A kinematic body has no speed of its own, so a box that was still falling stands still.
+                _boxes[i].isKinematic = true;
                 _boxes[i].transform.localPosition = new Vector3(Radius * Mathf.Cos(angle), BoxSize.y / 2, Radius * Mathf.Sin(angle));
                 _boxes[i].transform.localRotation = Quaternion.identity;
+                _boxes[i].isKinematic = false;
             }
         }
 
@@ -77,10 +81,17 @@ namespace NeuronMocap.Unity.Samples
                 _builder.Built -= Equip;
         }
 
+        // Clicks on the button below need the old Input Manager.
+        private void Update()
+        {
+            if (KeyPresses.IsPressed(KeyCode.P))
+                PutBack();
+        }
+
         private void OnGUI()
         {
-            GUILayout.BeginArea(new Rect(10, 10, 160, 40));
-            if (GUILayout.Button("Put boxes back"))
+            GUILayout.BeginArea(new Rect(10, 10, 180, 40));
+            if (GUILayout.Button("Put boxes back (key P)"))
                 PutBack();
 
             GUILayout.EndArea();

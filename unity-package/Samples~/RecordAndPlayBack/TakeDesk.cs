@@ -74,6 +74,10 @@ namespace NeuronMocap.Unity.Samples
                 _recordAtStart = 0;
                 _recorder.StopRecording();
             }
+
+            // Clicks on the button below need the old Input Manager.
+            if (KeyPresses.IsPressed(KeyCode.R))
+                Toggle();
         }
 
         private void OnGUI()
@@ -83,17 +87,23 @@ namespace NeuronMocap.Unity.Samples
 
             GUILayout.BeginArea(new Rect(10, 10, 420, 120));
             bool isRecording = _recorder.State == RecorderState.Recording;
-            if (GUILayout.Button(isRecording ? "Stop and play" : "Record"))
-            {
-                if (isRecording)
-                    _recorder.StopRecording();
-                else
-                    Record();
-            }
+            if (GUILayout.Button(isRecording ? "Stop and play (key R)" : "Record (key R)"))
+                Toggle();
 
             GUILayout.Label(isRecording ? $"{_recorder.Elapsed:0.0} s, {_recorder.Frames} frames, {_recorder.Bytes / 1024} KiB" : _take);
             GUILayout.Label(_recorder.Problem);
             GUILayout.EndArea();
+        }
+
+        private void Toggle()
+        {
+            if (_recorder == null)
+                return;
+
+            if (_recorder.State == RecorderState.Recording)
+                _recorder.StopRecording();
+            else
+                Record();
         }
 
         private void Record()

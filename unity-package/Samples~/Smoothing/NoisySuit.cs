@@ -63,13 +63,22 @@ namespace NeuronMocap.Unity.Samples
 
         private void OnValidate() => _motion.Degrees = _noise;
 
+        // Clicks on the buttons below need the old Input Manager.
+        private void Update()
+        {
+            if (KeyPresses.IsPressed(KeyCode.M))
+                Noise++;
+            if (KeyPresses.IsPressed(KeyCode.L))
+                Noise--;
+        }
+
         private void OnGUI()
         {
             GUILayout.BeginArea(new Rect(10, 60, 260, 100));
             GUILayout.Label($"Left: as it comes, with noise of {_noise:0.0} degrees. Right: smoothed.");
-            if (GUILayout.Button("More noise"))
+            if (GUILayout.Button("More noise (key M)"))
                 Noise++;
-            if (GUILayout.Button("Less noise"))
+            if (GUILayout.Button("Less noise (key L)"))
                 Noise--;
 
             GUILayout.EndArea();

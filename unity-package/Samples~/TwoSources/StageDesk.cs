@@ -61,6 +61,15 @@ namespace NeuronMocap.Unity.Samples
 
         private void Start() => _start = _walker != null ? _walker.position : Vector3.zero;
 
+        // The sources have a key of their own for Recenter. Clicks on the buttons below need the old Input Manager.
+        private void Update()
+        {
+            if (KeyPresses.IsPressed(KeyCode.U))
+                ClearCenter();
+            if (_mirrored != null && KeyPresses.IsPressed(KeyCode.M))
+                _mirrored.Stage.Mirror = !_mirrored.Stage.Mirror;
+        }
+
         private void OnGUI()
         {
             if (_source == null || _mirrored == null || _walker == null)
@@ -69,10 +78,10 @@ namespace NeuronMocap.Unity.Samples
             GUILayout.BeginArea(new Rect(10, 10, 320, 160));
             if (GUILayout.Button($"Recenter (key {_source.RecenterKey})"))
                 Recenter();
-            if (GUILayout.Button("Undo Recenter"))
+            if (GUILayout.Button("Undo Recenter (key U)"))
                 ClearCenter();
 
-            _mirrored.Stage.Mirror = GUILayout.Toggle(_mirrored.Stage.Mirror, "Mirror");
+            _mirrored.Stage.Mirror = GUILayout.Toggle(_mirrored.Stage.Mirror, "Mirror (key M)");
             GUILayout.Label($"The walker is {(_walker.position - _start).magnitude:0.0} m from its start.");
             GUILayout.EndArea();
         }

@@ -94,11 +94,11 @@ namespace NeuronMocap.Unity.Samples
         // Runs after the driver and after the headset, whose pose Unity has set by then.
         private void LateUpdate()
         {
-            if (_driver == null || _rig == null || _headset == null || _driver.Animator == null || !(_driver.TargetRig is { } rig))
+            if (_driver == null || _rig == null || _headset == null || !(_driver.ActiveAnimator is { } animator) || !(_driver.TargetRig is { } rig))
                 return;
 
-            if (_driver.Animator != _bound)
-                Bind(_driver.Animator, rig);
+            if (animator != _bound)
+                Bind(animator, rig);
             if (_head == null)
                 return;
 

@@ -36,6 +36,7 @@ public static class EditorGUILayout
 
     public static bool PropertyField(SerializedProperty property, GUIContent label, bool includeChildren, params GUILayoutOption[] options)
     {
+        using var scope = new EditorGUI.DisabledScope(!property.editable);
         ImmediateGui.Add("Property", label.text, property.ShownValue, tooltip: label.tooltip.Length > 0 ? label.tooltip : property.tooltip);
         if (ImmediateGui.TryTake(label.text, out object? value))
             property.SetShown(value);

@@ -19,6 +19,8 @@ public class EditorSceneManager : SceneManager
     /// <summary>For tests: the paths of the scenes that were opened, in order.</summary>
     internal static List<string> Opened { get; } = [];
 
+    private static HashSet<string> Previews { get; } = [];
+
     public static Scene OpenScene(string scenePath, OpenSceneMode mode)
     {
         string name = Path.GetFileNameWithoutExtension(scenePath);
@@ -67,7 +69,21 @@ public class EditorSceneManager : SceneManager
 
     public static bool MarkSceneDirty(Scene scene) => Dirty.Add(scene.name);
 
-    internal static void Forget() => (sceneSaving, sceneClosing) = (null, null);
+    /// <summary>Opens a scene that the user does not see. Its objects are found like those of other scenes.</summary>
+    public static Scene NewPreviewScene()
+    {
+        string name = $"Preview Scene {Previews.Count + 1}";
+        Previews.Add(name);
+        return new Scene(name);
+    }
+
+    public static bool IsPreviewScene(Scene scene) => Previews.Contains(scene.name);
+
+    internal static void Forget()
+    {
+        (sceneSaving, sceneClosing) = (null, null);
+        Previews.Clear();
+    }
 }
 
 public enum OpenSceneMode

@@ -5,7 +5,7 @@ using UnityEngine;
 
 namespace UnityEditor;
 
-public sealed class SerializedProperty
+public sealed partial class SerializedProperty
 {
     // An iterator moves from one of these to the next. Before the first, it refers to none.
     private readonly IReadOnlyList<SerializedProperty>? _all;
@@ -38,21 +38,21 @@ public sealed class SerializedProperty
     public string tooltip => _field.GetCustomAttribute<TooltipAttribute>()?.tooltip ?? "";
 
     public SerializedPropertyType propertyType =>
-        _field.FieldType == typeof(bool) ? SerializedPropertyType.Boolean
-        : _field.FieldType == typeof(float) ? SerializedPropertyType.Float
-        : _field.FieldType == typeof(string) ? SerializedPropertyType.String
-        : _field.FieldType.IsEnum ? SerializedPropertyType.Enum
-        : _field.FieldType.IsPrimitive ? SerializedPropertyType.Integer
-        : typeof(UnityEngine.Object).IsAssignableFrom(_field.FieldType) ? SerializedPropertyType.ObjectReference
+        HeldType == typeof(bool) ? SerializedPropertyType.Boolean
+        : HeldType == typeof(float) ? SerializedPropertyType.Float
+        : HeldType == typeof(string) ? SerializedPropertyType.String
+        : HeldType.IsEnum ? SerializedPropertyType.Enum
+        : HeldType.IsPrimitive ? SerializedPropertyType.Integer
+        : typeof(UnityEngine.Object).IsAssignableFrom(HeldType) ? SerializedPropertyType.ObjectReference
         : SerializedPropertyType.Generic;
+
+    public bool editable => serializedObject.targetObjects.All(static target => !target.hideFlags.HasFlag(HideFlags.NotEditable));
 
     public bool isExpanded { get; set; }
 
     public bool hasMultipleDifferentValues { get; private set; }
 
-    public bool isArray => typeof(IList).IsAssignableFrom(_field.FieldType);
-
-    public int arraySize => (_value as IList)?.Count ?? 0;
+    public bool isArray => typeof(IList).IsAssignableFrom(HeldType);
 
     public bool boolValue
     {
@@ -80,8 +80,8 @@ public sealed class SerializedProperty
 
     public int enumValueIndex
     {
-        get => Array.IndexOf(Enum.GetValues(_field.FieldType), _value);
-        set => Set(Enum.GetValues(_field.FieldType).GetValue(value));
+        get => Array.IndexOf(Enum.GetValues(HeldType), _value);
+        set => Set(Enum.GetValues(HeldType).GetValue(value));
     }
 
     public UnityEngine.Object? objectReferenceValue
@@ -129,14 +129,20 @@ public sealed class SerializedProperty
             return;
 
         foreach (UnityEngine.Object target in serializedObject.targetObjects)
-            _field.SetValue(target, _value);
+            _field.SetValue(target, isArray ? Copy(_value, HeldType) : _value);
 
         (IsModified, hasMultipleDifferentValues) = (false, false);
     }
 
-    /// <summary>Sets a value as if typed: ranges and lower bounds apply, as in the inspector.</summary>
+    /// <summary>Sets a value as if typed: ranges and lower bounds apply, as in the inspector. A number typed for a list is its size.</summary>
     internal void SetShown(object? value)
     {
+        if (isArray && value is int size)
+        {
+            arraySize = size;
+            return;
+        }
+
         if (value is IConvertible number and not string and not Enum && _field.GetCustomAttribute<RangeAttribute>() is { } range)
             value = Mathf.Clamp(number.ToSingle(CultureInfo.InvariantCulture), range.min, range.max);
         if (value is IConvertible other and not string and not Enum && _field.GetCustomAttribute<MinAttribute>() is { } least)
@@ -153,13 +159,14 @@ public sealed class SerializedProperty
             return;
         }
 
-        object? converted = value is null || _field.FieldType.IsInstanceOfType(value) ? value
-            : _field.FieldType.IsEnum ? Enum.ToObject(_field.FieldType, value)
-            : Convert.ChangeType(value, _field.FieldType, CultureInfo.InvariantCulture);
+        object? converted = value is null || HeldType.IsInstanceOfType(value) ? value
+            : HeldType.IsEnum ? Enum.ToObject(HeldType, value)
+            : Convert.ChangeType(value, HeldType, CultureInfo.InvariantCulture);
         if (Equals(converted, _value) && !hasMultipleDifferentValues)
             return;
 
         _value = converted;
         IsModified = true;
+        _whole?.Replace(this);
     }
 }

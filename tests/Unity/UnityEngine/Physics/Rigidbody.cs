@@ -23,7 +23,19 @@ public class Rigidbody : Component
 
     public Rigidbody() => PhysicsStep.Add(this);
 
-    public bool isKinematic { get; set; }
+    /// <summary>A body that becomes kinematic stops.</summary>
+    public bool isKinematic
+    {
+        get;
+
+        set
+        {
+            if (value && !field)
+                (velocity, angularVelocity) = (Vector3.zero, Vector3.zero);
+
+            field = value;
+        }
+    }
 
     public bool useGravity { get; set; } = true;
 
