@@ -36,7 +36,7 @@ public sealed partial class NeuronReaderOptions
 
     /// <summary>
     /// Name or address of the computer that runs Axis Neuron. The default is this computer. If a name has several addresses, the reader tries them one
-    /// after another. Not used for UDP.
+    /// after another. Over UDP, only the command channel uses it.
     /// </summary>
     public string Host { get; set; } = "127.0.0.1";
 
