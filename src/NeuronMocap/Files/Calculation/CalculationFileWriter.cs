@@ -39,11 +39,14 @@ public sealed class CalculationFileWriter : IDisposable
     /// <param name="valueCount">Number of values in each row: 946 or 338.</param>
     /// <param name="format">The text layout; null for <see cref="CalculationTextFormat.AxisNeuron"/>.</param>
     /// <param name="leaveOpen">Whether the stream stays open when the writer is disposed.</param>
-    /// <exception cref="ArgumentException">The number of values is wrong.</exception>
+    /// <exception cref="ArgumentException">The number of values is wrong, or the stream is not writable.</exception>
     /// <exception cref="IOException">The stream fails.</exception>
     public CalculationFileWriter(Stream stream, int valueCount, CalculationTextFormat? format = null, bool leaveOpen = false)
     {
         ArgumentNullException.ThrowIfNull(stream);
+        if (!stream.CanWrite)
+            throw new ArgumentException("The stream is not writable.", nameof(stream));
+
         Check(valueCount);
         format ??= CalculationTextFormat.AxisNeuron;
         _output = new RowOutput(stream, leaveOpen, TextDigits.MaxSize);

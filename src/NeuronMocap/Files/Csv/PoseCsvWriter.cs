@@ -46,10 +46,14 @@ public sealed class PoseCsvWriter : IDisposable
     /// <param name="stream">The stream to write, from its current position.</param>
     /// <param name="options">Units, axes and source; null for metres and Y up.</param>
     /// <param name="leaveOpen">Whether the stream stays open when the writer is disposed.</param>
+    /// <exception cref="ArgumentException">The stream is not writable.</exception>
     /// <exception cref="IOException">The stream fails.</exception>
     public PoseCsvWriter(Stream stream, PoseCsvOptions? options = null, bool leaveOpen = false)
     {
         ArgumentNullException.ThrowIfNull(stream);
+        if (!stream.CanWrite)
+            throw new ArgumentException("The stream is not writable.", nameof(stream));
+
         options ??= new PoseCsvOptions();
         _output = new RowOutput(stream, leaveOpen, 1 + TextDigits.MaxSize);
         _isZUp = options.UpAxis == UpAxis.Z;
