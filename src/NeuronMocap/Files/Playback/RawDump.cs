@@ -13,7 +13,7 @@ public static class RawDump
     /// <param name="cancellationToken">Cancels the operation.</param>
     /// <exception cref="PlaybackException">The file does not contain a frame.</exception>
     /// <exception cref="ArgumentException">An option is out of range, or the file is a recording.</exception>
-    /// <exception cref="IOException">The dump cannot be read, or the recording cannot be written.</exception>
+    /// <exception cref="IOException">The dump cannot be read or is a pipe, or the recording cannot be written.</exception>
     /// <exception cref="UnauthorizedAccessException">The user does not have permission to read the file.</exception>
     /// <exception cref="OperationCanceledException">The operation was cancelled.</exception>
     public static void CopyTo(
