@@ -24,7 +24,8 @@ public sealed class FootContactEstimator
     /// <param name="world">59 transforms in the world, in <see cref="Bone"/> order; centimetres, Y up.</param>
     /// <param name="body">The body, which defines where the feet end.</param>
     /// <param name="seconds">
-    /// The time of the frame on any clock. A frame that is not later than the previous one does not change the estimate.
+    /// The time of the frame on any clock. A frame that is not later than the previous one, or whose time is not finite, does not change the
+    /// estimate.
     /// </param>
     /// <param name="measured">
     /// The contacts that calculation data reports for this frame, if available: <c>CalculationFrame.FootContacts</c>.
@@ -41,7 +42,8 @@ public sealed class FootContactEstimator
     /// <param name="leftFoot">The middle of the left foot, in centimetres, Y up.</param>
     /// <param name="rightFoot">The middle of the right foot.</param>
     /// <param name="seconds">
-    /// The time of the frame on any clock. A frame that is not later than the previous one does not change the estimate.
+    /// The time of the frame on any clock. A frame that is not later than the previous one, or whose time is not finite, does not change the
+    /// estimate.
     /// </param>
     /// <param name="measured">The contacts that calculation data reports for this frame, if available.</param>
     /// <returns>The feet that stand on the ground.</returns>
@@ -58,6 +60,9 @@ public sealed class FootContactEstimator
 
     private FootContacts Update(in FootSample now, double seconds, FootContacts? measured)
     {
+        if (!double.IsFinite(seconds))
+            return Contacts = measured ?? Contacts;
+
         double elapsed = seconds - _time;
         float ground = _ground.Update(now.Lowest, seconds);
         if (measured is { } known)

@@ -86,6 +86,30 @@ public sealed class FootContactTests
     }
 
     [Theory]
+    [InlineData(double.PositiveInfinity)]
+    [InlineData(double.NegativeInfinity)]
+    [InlineData(double.NaN)]
+    public void A_time_that_is_not_finite_does_not_change_the_estimate(double broken)
+    {
+        var expected = new FootContactEstimator();
+        var estimator = new FootContactEstimator();
+        Assert.Equal(default, estimator.Update(new Vector3(500), new Vector3(500), broken));
+        for (int i = 0; i < 300; i++)
+        {
+            // A step every half second.
+            var foot = new Vector3(0, Math.Max(0, 20 * MathF.Sin(i * MathF.PI / 25)), i);
+            FootContacts before = estimator.Contacts;
+            if (i % 7 == 5)
+                Assert.Equal(before, estimator.Update(new Vector3(500), new Vector3(500), broken));
+
+            Assert.Equal(expected.Update(foot, Vector3.Zero, i / 100.0), estimator.Update(foot, Vector3.Zero, i / 100.0));
+        }
+
+        var measured = new FootContacts(Left: true, Right: false);
+        Assert.Equal(measured, estimator.Update(Vector3.Zero, Vector3.Zero, broken, measured));
+    }
+
+    [Theory]
     [InlineData(200, false)]
     [InlineData(0, true)]
     public void A_frame_without_numbers_changes_no_contact(float speed, bool touches)

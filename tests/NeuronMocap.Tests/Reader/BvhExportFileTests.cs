@@ -24,6 +24,8 @@ public sealed class BvhExportFileTests : BvhExportTest
         Assert.Throws<DirectoryNotFoundException>(() => reader.ExportBvh(Path.Combine(Folder.FullName, "nowhere", "take.bvh")));
         Assert.Throws<ArgumentException>(() => reader.ExportBvh(" "));
         Assert.Throws<ArgumentOutOfRangeException>(() => reader.ExportBvh(other, new BvhExportOptions { Capacity = 0 }));
+        Assert.Throws<ArgumentOutOfRangeException>(() => reader.ExportBvh(other, new BvhExportOptions { MaxFrames = 0 }));
+        Assert.Throws<ArgumentOutOfRangeException>(() => reader.ExportBvh(other, new BvhExportOptions { MaxFrames = -1 }));
     }
 
     // It may be a device. An export does not delete files that it did not create.

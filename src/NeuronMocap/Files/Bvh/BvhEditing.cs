@@ -39,12 +39,16 @@ public static class BvhEditing
     /// <param name="start">The time of the part's first frame, from the start of the take.</param>
     /// <param name="duration">The duration of the part.</param>
     /// <returns>The part.</returns>
-    /// <exception cref="ArgumentOutOfRangeException">The part extends beyond the take.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">The part extends beyond the take, or ends before it begins.</exception>
     public static BvhDocument Trim(this BvhDocument document, TimeSpan start, TimeSpan duration)
     {
         ArgumentNullException.ThrowIfNull(document);
-        int first = FrameAt(document, start, nameof(start));
-        return document.Trim(first, FrameAt(document, start + duration, nameof(duration)) - first);
+        int first = FrameAt(document, start.Ticks, start, nameof(start));
+        int end = FrameAt(document, (decimal)start.Ticks + duration.Ticks, duration, nameof(duration));
+        if (end < first)
+            throw new ArgumentOutOfRangeException(nameof(duration), duration, "The part must not end before it begins.");
+
+        return document.Trim(first, end - first);
     }
 
     /// <summary>Joins takes that have the same hierarchy, one after the other.</summary>
@@ -59,7 +63,9 @@ public static class BvhEditing
     /// do not change.
     /// </param>
     /// <returns>The joined take, with the hierarchy of the first one.</returns>
-    /// <exception cref="ArgumentException">The list is empty or contains null.</exception>
+    /// <exception cref="ArgumentException">
+    /// The list is empty or contains null, or the result would have more frames than a document can hold.
+    /// </exception>
     /// <exception cref="NeuronException">The takes do not match; the message names the difference.</exception>
     public static BvhDocument Join(IReadOnlyList<BvhDocument> takes, bool align = false) => BvhJoining.Join(takes, align);
 
@@ -188,14 +194,19 @@ public static class BvhEditing
 
     internal static BvhJointValues[] GetJointValues(this BvhHierarchy hierarchy) => [.. hierarchy.Joints.Select(static joint => new BvhJointValues(joint))];
 
-    private static int FrameAt(BvhDocument document, TimeSpan time, string name)
+    // The time is given in ticks. The argument that defines it is for the message.
+    private static int FrameAt(BvhDocument document, decimal ticks, TimeSpan argument, string name)
     {
-        decimal seconds = time.Ticks / (decimal)TimeSpan.TicksPerSecond;
-        decimal frame = decimal.Round(seconds * document.FrameTime.Denominator / document.FrameTime.Numerator);
+        (long numerator, long denominator) = (document.FrameTime.Numerator, document.FrameTime.Denominator);
+        decimal seconds = ticks / TimeSpan.TicksPerSecond;
+
+        // The exact product fits a decimal for all times near the take.
+        double estimate = (double)seconds * denominator / numerator;
+        decimal frame = estimate >= -1 && estimate <= document.FrameCount + 1.0 ? decimal.Round(seconds * denominator / numerator) : -1;
         if (frame < 0 || frame > document.FrameCount)
         {
             double end = document.FrameCount * document.FrameTime.Seconds;
-            throw new ArgumentOutOfRangeException(name, time, $"The take ends after {end.ToString("F3", System.Globalization.CultureInfo.InvariantCulture)} s.");
+            throw new ArgumentOutOfRangeException(name, argument, $"The take ends after {end.ToString("F3", System.Globalization.CultureInfo.InvariantCulture)} s.");
         }
 
         return (int)frame;

@@ -19,7 +19,11 @@ internal static class BvhJoining
         }
 
         int channelCount = first.ChannelCount;
-        float[] values = new float[checked(takes.Sum(static take => take.FrameCount) * channelCount)];
+        long count = takes.Sum(static take => (long)take.FrameCount);
+        if (count * channelCount > int.MaxValue)
+            throw new ArgumentException($"The result has {count} frames, more than a document can have.", nameof(takes));
+
+        float[] values = new float[(int)count * channelCount];
         int end = 0;
         foreach (BvhDocument take in takes)
         {

@@ -176,6 +176,7 @@ public sealed class CalculationDocument
     /// <summary>Writes the document to a stream.</summary>
     /// <param name="stream">The stream to write. It stays open.</param>
     /// <param name="format">The text layout; null for <see cref="TextFormat"/>, the layout that was read.</param>
+    /// <exception cref="ArgumentException">The stream is not writable.</exception>
     /// <exception cref="IOException">The stream fails.</exception>
     public void Save(Stream stream, CalculationTextFormat? format = null)
     {

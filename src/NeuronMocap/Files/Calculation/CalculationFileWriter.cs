@@ -7,6 +7,10 @@ namespace NeuronMocap.Calculation;
 /// <summary>
 /// Writes a calculation export of any length row by row, in constant memory. Reading the file gives the same binary32 values. Not thread-safe.
 /// </summary>
+/// <remarks>
+/// If the stream fails, for example on a full disk, the writer writes nothing more. Every later call throws an <see cref="IOException"/>, and
+/// <see cref="Dispose"/> only closes the stream. The file may end within a row.
+/// </remarks>
 public sealed class CalculationFileWriter : IDisposable
 {
     private const int FirstContact = CalculationFrame.BodyValueCount - 2;
@@ -35,11 +39,14 @@ public sealed class CalculationFileWriter : IDisposable
     /// <param name="valueCount">Number of values in each row: 946 or 338.</param>
     /// <param name="format">The text layout; null for <see cref="CalculationTextFormat.AxisNeuron"/>.</param>
     /// <param name="leaveOpen">Whether the stream stays open when the writer is disposed.</param>
-    /// <exception cref="ArgumentException">The number of values is wrong.</exception>
+    /// <exception cref="ArgumentException">The number of values is wrong, or the stream is not writable.</exception>
     /// <exception cref="IOException">The stream fails.</exception>
     public CalculationFileWriter(Stream stream, int valueCount, CalculationTextFormat? format = null, bool leaveOpen = false)
     {
         ArgumentNullException.ThrowIfNull(stream);
+        if (!stream.CanWrite)
+            throw new ArgumentException("The stream is not writable.", nameof(stream));
+
         Check(valueCount);
         format ??= CalculationTextFormat.AxisNeuron;
         _output = new RowOutput(stream, leaveOpen, TextDigits.MaxSize);
@@ -55,14 +62,14 @@ public sealed class CalculationFileWriter : IDisposable
     /// <summary>Number of values in each row: 946 for 59 bones, or 338 for 21.</summary>
     public int ValueCount { get; }
 
-    /// <summary>Number of rows written so far.</summary>
+    /// <summary>Number of rows written so far. After a failure, the stream may hold fewer.</summary>
     public long FrameCount { get; private set; }
 
     /// <summary>Writes a row.</summary>
     /// <param name="values">Exactly <see cref="ValueCount"/> values, in the order of the calculation stream.</param>
     /// <exception cref="ArgumentException">The number of values is wrong.</exception>
     /// <exception cref="ObjectDisposedException">The writer is disposed.</exception>
-    /// <exception cref="IOException">The stream fails.</exception>
+    /// <exception cref="IOException">The stream fails, or failed before.</exception>
     public void WriteFrame(ReadOnlySpan<float> values)
     {
         if (values.Length != ValueCount)
@@ -90,11 +97,11 @@ public sealed class CalculationFileWriter : IDisposable
     }
 
     /// <summary>Passes the rows written so far to the stream.</summary>
-    /// <exception cref="IOException">The stream fails.</exception>
+    /// <exception cref="IOException">The stream fails, or failed before.</exception>
     public void Flush() => _output.Flush();
 
-    /// <summary>Ends the last row and closes the stream.</summary>
-    /// <exception cref="IOException">The stream fails.</exception>
+    /// <summary>Ends the last row and closes the stream. After a failure of the stream, this only closes it.</summary>
+    /// <exception cref="IOException">The stream fails. It is closed nevertheless.</exception>
     public void Dispose()
     {
         if (_output.IsDisposed)
@@ -102,7 +109,7 @@ public sealed class CalculationFileWriter : IDisposable
 
         using (_output)
         {
-            if (_isEndOpen)
+            if (_isEndOpen && !_output.HasFailed)
                 _output.Write(_lastRowEnd);
         }
     }

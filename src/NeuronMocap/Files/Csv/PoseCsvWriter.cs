@@ -17,6 +17,10 @@ namespace NeuronMocap.Csv;
 /// Numbers have a decimal point and as few digits as identify their binary32 value. A quaternion and its negative describe the same rotation. The
 /// writer chooses the one that is nearer to that of the avatar's previous row, so that columns do not jump.
 /// </para>
+/// <para>
+/// If the stream fails, for example on a full disk, the writer writes nothing more. Every later call throws an <see cref="IOException"/>, and
+/// <see cref="Dispose"/> only closes the stream. The file may end within a row.
+/// </para>
 /// </remarks>
 public sealed class PoseCsvWriter : IDisposable
 {
@@ -42,10 +46,14 @@ public sealed class PoseCsvWriter : IDisposable
     /// <param name="stream">The stream to write, from its current position.</param>
     /// <param name="options">Units, axes and source; null for metres and Y up.</param>
     /// <param name="leaveOpen">Whether the stream stays open when the writer is disposed.</param>
+    /// <exception cref="ArgumentException">The stream is not writable.</exception>
     /// <exception cref="IOException">The stream fails.</exception>
     public PoseCsvWriter(Stream stream, PoseCsvOptions? options = null, bool leaveOpen = false)
     {
         ArgumentNullException.ThrowIfNull(stream);
+        if (!stream.CanWrite)
+            throw new ArgumentException("The stream is not writable.", nameof(stream));
+
         options ??= new PoseCsvOptions();
         _output = new RowOutput(stream, leaveOpen, 1 + TextDigits.MaxSize);
         _isZUp = options.UpAxis == UpAxis.Z;
@@ -65,7 +73,7 @@ public sealed class PoseCsvWriter : IDisposable
         }
     }
 
-    /// <summary>Number of rows written so far.</summary>
+    /// <summary>Number of rows written so far. After a failure, the stream may hold fewer.</summary>
     public long RowCount { get; private set; }
 
     /// <summary>Writes a row.</summary>
@@ -77,7 +85,7 @@ public sealed class PoseCsvWriter : IDisposable
     /// <param name="arrival">Time since the start at which the frame was received. Null leaves the value empty.</param>
     /// <exception cref="ArgumentException">There are fewer than 59 transforms.</exception>
     /// <exception cref="ObjectDisposedException">The writer is disposed.</exception>
-    /// <exception cref="IOException">The stream fails.</exception>
+    /// <exception cref="IOException">The stream fails, or failed before.</exception>
     public void WriteRow(TimeSpan time, ReadOnlySpan<BoneTransform> world, int avatarIndex = 0, long? frameIndex = null, TimeSpan? arrival = null)
     {
         ForwardKinematics.CheckPose(world, nameof(world));
@@ -109,11 +117,11 @@ public sealed class PoseCsvWriter : IDisposable
     }
 
     /// <summary>Passes the rows written so far to the stream.</summary>
-    /// <exception cref="IOException">The stream fails.</exception>
+    /// <exception cref="IOException">The stream fails, or failed before.</exception>
     public void Flush() => _output.Flush();
 
-    /// <summary>Writes the rest of the rows and closes the stream.</summary>
-    /// <exception cref="IOException">The stream fails.</exception>
+    /// <summary>Writes the rest of the rows and closes the stream. After a failure of the stream, this only closes it.</summary>
+    /// <exception cref="IOException">The stream fails. It is closed nevertheless.</exception>
     public void Dispose() => _output.Dispose();
 
     private Quaternion[]? FindLastRotations(int avatarIndex)

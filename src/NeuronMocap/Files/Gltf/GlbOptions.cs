@@ -8,19 +8,22 @@ public sealed class GlbOptions
     /// <summary>Largest value of <see cref="RotationTolerance"/>, in degrees.</summary>
     public const float MaxRotationTolerance = 45;
 
+    private const double SlowestRate = 0.01;
+    private const double FastestRate = 100_000;
+
     private double? _frameRate;
     private float _rotationTolerance;
     private float _positionTolerance;
 
-    /// <summary>Gets or sets the rate of even keys, in keys per second. Null for keys at the times of the frames.</summary>
+    /// <summary>Gets or sets the rate of even keys, 0.01 to 100,000 keys per second. Null for keys at the times of the frames.</summary>
     /// <remarks>Keys between two frames are interpolated. The first key is at the time of the first frame.</remarks>
-    /// <exception cref="ArgumentOutOfRangeException">The value is not positive, or not finite.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">The value is outside the range.</exception>
     public double? FrameRate
     {
         get => _frameRate;
-        set => _frameRate = value is null or (> 0 and < double.PositiveInfinity)
+        set => _frameRate = value is null or (>= SlowestRate and <= FastestRate)
             ? value
-            : throw new ArgumentOutOfRangeException(nameof(value), value, "A rate must be positive and finite.");
+            : throw new ArgumentOutOfRangeException(nameof(value), value, "The rate must be from 0.01 to 100,000 keys per second.");
     }
 
     /// <summary>

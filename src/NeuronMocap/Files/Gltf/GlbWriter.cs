@@ -42,6 +42,7 @@ public sealed class GlbWriter : IDisposable
     /// <param name="stream">The stream to write, from its current position. It need not seek.</param>
     /// <param name="options">The keys of the animations; null for a key for each frame.</param>
     /// <param name="leaveOpen">Whether the stream stays open when the writer is disposed.</param>
+    /// <exception cref="ArgumentException">The stream is not writable.</exception>
     public GlbWriter(Stream stream, GlbOptions? options = null, bool leaveOpen = false)
         : this(stream, options, leaveOpen, new KeySpool())
     {
@@ -50,6 +51,9 @@ public sealed class GlbWriter : IDisposable
     internal GlbWriter(Stream stream, GlbOptions? options, bool leaveOpen, KeySpool spool)
     {
         ArgumentNullException.ThrowIfNull(stream);
+        if (!stream.CanWrite)
+            throw new ArgumentException("The stream is not writable.", nameof(stream));
+
         _stream = stream;
         _options = options ?? new GlbOptions();
         _leavesOpen = leaveOpen;

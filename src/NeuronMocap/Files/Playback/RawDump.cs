@@ -7,13 +7,14 @@ public static class RawDump
     /// <param name="path">The path of the dump.</param>
     /// <param name="writer">A recording without connections. It receives one connection, number 0, which is closed at the end.</param>
     /// <param name="options">The options, above all the frame rate; null to use the rate of the frames.</param>
-    /// <param name="from">Bytes before this time are omitted.</param>
+    /// <param name="from">Bytes before this time, from 0, are omitted.</param>
     /// <param name="to">Bytes from this time on are omitted; null for no limit.</param>
     /// <param name="progress">Receives the progress, 0 to 1; may be null.</param>
     /// <param name="cancellationToken">Cancels the operation.</param>
     /// <exception cref="PlaybackException">The file does not contain a frame.</exception>
     /// <exception cref="ArgumentException">An option is out of range, or the file is a recording.</exception>
-    /// <exception cref="IOException">The dump cannot be read, or the recording cannot be written.</exception>
+    /// <exception cref="ArgumentOutOfRangeException"><paramref name="from"/> is negative.</exception>
+    /// <exception cref="IOException">The dump cannot be read or is a pipe, or the recording cannot be written.</exception>
     /// <exception cref="UnauthorizedAccessException">The user does not have permission to read the file.</exception>
     /// <exception cref="OperationCanceledException">The operation was cancelled.</exception>
     public static void CopyTo(
@@ -26,6 +27,9 @@ public static class RawDump
         CancellationToken cancellationToken = default)
     {
         ArgumentNullException.ThrowIfNull(writer);
+        if (from < TimeSpan.Zero)
+            throw new ArgumentOutOfRangeException(nameof(from), from, "A dump begins at 0 s.");
+
         using RecordedEventSource source = RecordedEventSource.Open(path, PlaybackOptions.CopyChecked(options));
         if (source is not RawDumpSource)
             throw new ArgumentException("The file is already a recording.", nameof(path));

@@ -30,8 +30,7 @@ internal abstract class RecordedEventSource(string path) : IDisposable
     // The first bytes of the file determine its kind.
     public static RecordedEventSource Open(string path, PlaybackOptions options)
     {
-        // Another program may still be writing the file.
-        var file = new FileStream(path, FileMode.Open, FileAccess.Read, FileShare.ReadWrite | FileShare.Delete, bufferSize: 1);
+        FileStream file = RecordingReader.OpenFile(path);
         try
         {
             if (!RecordingReader.IsRecording(file))

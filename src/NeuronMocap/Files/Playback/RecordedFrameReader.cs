@@ -90,7 +90,7 @@ public sealed class RecordedFrameReader : IDisposable
     /// <returns>A reader before the first frame.</returns>
     /// <exception cref="PlaybackException">The file is neither a recording nor a dump of a stream.</exception>
     /// <exception cref="NeuronException">The file is a recording that cannot be read.</exception>
-    /// <exception cref="IOException">The file cannot be opened or read.</exception>
+    /// <exception cref="IOException">The file cannot be opened or read, or is a pipe.</exception>
     /// <exception cref="UnauthorizedAccessException">The user does not have permission to read the file.</exception>
     /// <exception cref="ArgumentException">An option is out of range, or has no meaning for this file.</exception>
     public static RecordedFrameReader Open(string path, PlaybackOptions? options = null)

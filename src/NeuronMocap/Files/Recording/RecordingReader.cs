@@ -83,11 +83,11 @@ public sealed class RecordingReader : IDisposable
     /// <param name="path">The path of the file.</param>
     /// <returns>The reader, positioned before the first entry.</returns>
     /// <exception cref="RecordingFormatException">The file is not a recording, or its first 64 bytes are damaged.</exception>
-    /// <exception cref="IOException">The file cannot be read.</exception>
+    /// <exception cref="IOException">The file cannot be read, or is a pipe.</exception>
     /// <exception cref="UnauthorizedAccessException">The user does not have permission to read the file.</exception>
     public static RecordingReader Open(string path)
     {
-        var stream = new FileStream(path, FileMode.Open, FileAccess.Read, FileShare.ReadWrite | FileShare.Delete, bufferSize: 1);
+        FileStream stream = OpenFile(path);
         try
         {
             return Open(stream);
@@ -97,6 +97,17 @@ public sealed class RecordingReader : IDisposable
             stream.Dispose();
             throw;
         }
+    }
+
+    // Another program may still be writing the file.
+    internal static FileStream OpenFile(string path)
+    {
+        var file = new FileStream(path, FileMode.Open, FileAccess.Read, FileShare.ReadWrite | FileShare.Delete, bufferSize: 1);
+        if (file.CanSeek)
+            return file;
+
+        file.Dispose();
+        throw new IOException($"'{path}' is a pipe or a device. Copy it to a file first.");
     }
 
     // Whether the stream begins like a recording. The position is 0 afterwards.

@@ -133,25 +133,36 @@ public sealed class RecordingWriter : IDisposable
     /// <param name="stream">The next file.</param>
     /// <param name="time">The start of the next file, in this writer's time.</param>
     /// <returns>The writer of the next file.</returns>
-    public RecordingWriter ContinueIn(Stream stream, TimeSpan time) => new(
-        stream,
-        _state.Copy(),
-        new RecordingWriterOptions
+    /// <exception cref="ArgumentException">The stream is not writable.</exception>
+    /// <exception cref="ArgumentOutOfRangeException">The next file would start before the year 1 or after the year 9999.</exception>
+    public RecordingWriter ContinueIn(Stream stream, TimeSpan time)
+    {
+        if (time < DateTimeOffset.MinValue - StartTime || time > DateTimeOffset.MaxValue - StartTime)
+            throw new ArgumentOutOfRangeException(nameof(time), time, "The next file must start between the years 1 and 9999.");
+
+        var options = new RecordingWriterOptions
         {
             StartTime = StartTime + time,
             Compress = _blocks.Compress,
             LeaveOpen = _blocks.LeaveOpen,
             RecordingId = RecordingId,
             FileNumber = FileNumber + 1,
-        });
+        };
+        return new RecordingWriter(stream, _state.Copy(), options);
+    }
 
     /// <summary>Records that a connection was opened.</summary>
     /// <param name="time">The time since <see cref="StartTime"/>.</param>
     /// <param name="connection">The connection. Its end points are truncated to 255 bytes.</param>
+    /// <exception cref="ArgumentOutOfRangeException">The number is negative, or the transport is not defined.</exception>
     /// <exception cref="InvalidOperationException">A connection with that number is open, or 1024 connections and senders are open.</exception>
     public void OpenConnection(TimeSpan time, RecordedConnection connection)
     {
         ArgumentNullException.ThrowIfNull(connection);
+        RequireNumber(connection.Number, nameof(connection));
+        if (connection.Transport is not (TransportKind.Tcp or TransportKind.Udp))
+            throw new ArgumentOutOfRangeException(nameof(connection), connection.Transport, "The transport is not defined.");
+
         RecordedConnection known = connection with { Local = RecordingLayout.CutText(connection.Local), Remote = RecordingLayout.CutText(connection.Remote) };
         _state.Open(known);
         _entries.AddOpened(Advance(time), known);
@@ -163,12 +174,15 @@ public sealed class RecordingWriter : IDisposable
     /// <param name="connection">Number of the connection.</param>
     /// <param name="sender">Number of the sender, from 0, new in this connection.</param>
     /// <param name="address">Address and port of the sender, truncated to 255 bytes.</param>
+    /// <exception cref="ArgumentOutOfRangeException">A number is negative.</exception>
     /// <exception cref="InvalidOperationException">
     /// The connection is not open or already has that sender, or 1024 connections and senders are open.
     /// </exception>
     public void AddSender(TimeSpan time, int connection, int sender, string address)
     {
         ArgumentNullException.ThrowIfNull(address);
+        RequireNumber(connection, nameof(connection));
+        RequireNumber(sender, nameof(sender));
         string known = RecordingLayout.CutText(address);
         _state.AddSender(connection, sender, known);
         _entries.AddSender(Advance(time), connection, sender, known);
@@ -278,6 +292,12 @@ public sealed class RecordingWriter : IDisposable
         {
             _blocks.Dispose();
         }
+    }
+
+    private static void RequireNumber(int number, string name)
+    {
+        if (number < 0)
+            throw new ArgumentOutOfRangeException(name, number, "The numbers of connections and senders must not be negative.");
     }
 
     private long Advance(TimeSpan time)

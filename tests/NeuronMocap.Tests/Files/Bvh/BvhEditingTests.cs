@@ -210,14 +210,6 @@ public class BvhEditingTests
             Assert.Equal(0, new RawPose(resampled, frame).Distance(new RawPose(take, 0)).Rotation, 1e-6);
     }
 
-    [Fact]
-    public void Too_many_frames_are_refused()
-    {
-        BvhDocument day = Numbered(2, new BvhFrameTime(3600, 1));
-        Assert.Throws<ArgumentException>(() => day.Resample(1e6));
-        Assert.Throws<ArgumentException>(() => day.Resample(default(BvhFrameTime)));
-    }
-
     private static BvhDocument Numbered(int frames, BvhFrameTime time)
     {
         BvhHierarchy hierarchy = Parse(Hierarchy).Hierarchy;

@@ -77,6 +77,17 @@ public sealed class GlbHostileTests
             file.Names("animations"));
     }
 
+    [Theory, InlineData(0.00999), InlineData(100_001), InlineData(1e50), InlineData(double.PositiveInfinity), InlineData(-1)]
+    public void A_rate_outside_the_range_is_refused(double rate) =>
+        Assert.Throws<ArgumentOutOfRangeException>(() => new GlbOptions { FrameRate = rate });
+
+    [Theory, InlineData(0.01, 1), InlineData(100_000, 5001)]
+    public void The_range_of_rates_includes_its_ends(double rate, int keys)
+    {
+        GlbFile file = GlbTake.Write(new GlbOptions { FrameRate = rate }, static writer => GlbTake.WriteFrames(writer.AddAvatar("Anna", GlbTake.Body), 4));
+        Assert.Equal(keys, file.KeyTimes(0, "Hips").Length);
+    }
+
     [Theory, InlineData(null), InlineData(30.0)]
     public void In_a_gap_of_an_hour_the_figure_keeps_its_pose(double? rate)
     {

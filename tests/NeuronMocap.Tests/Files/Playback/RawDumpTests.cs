@@ -53,6 +53,18 @@ public sealed class RawDumpTests
         Assert.Equal("Opened 0 0", ReadAll(source)[0]);
     }
 
+    [Fact]
+    public void A_copy_cannot_start_before_the_dump()
+    {
+        using var file = new TemporaryFile(TestPackets.Motions(0, 3));
+        using var writer = new RecordingWriter(new MemoryStream());
+        Assert.Throws<ArgumentOutOfRangeException>("from", () => RawDump.CopyTo(file.Path, writer, from: TimeSpan.MinValue));
+        Assert.Throws<ArgumentOutOfRangeException>("from", () => RawDump.CopyTo(file.Path, writer, from: TimeSpan.FromTicks(-1)));
+
+        RawDump.CopyTo(file.Path, writer);
+        Assert.Equal(3, writer.Totals.Pieces);
+    }
+
     private static List<string> ReadAll(RecordedEventSource source)
     {
         List<string> lines = [];

@@ -56,7 +56,7 @@ public sealed class BvhExportOptions
     public int Capacity { get; set; } = DefaultCapacity;
 
     /// <summary>
-    /// Number of received frames, of all exported avatars together, after which the export ends. Null, the default, means no limit.
+    /// Number of received frames, of all exported avatars together, after which the export ends; at least 1. Null, the default, means no limit.
     /// </summary>
     public long? MaxFrames { get; set; }
 
@@ -67,6 +67,8 @@ public sealed class BvhExportOptions
             throw new ArgumentOutOfRangeException(nameof(options), options.HeaderTimeout, $"HeaderTimeout is {options.HeaderTimeout}; it must be 0 to 5 minutes.");
         if (options.Capacity is < 1 or > 1 << 20)
             throw new ArgumentOutOfRangeException(nameof(options), options.Capacity, $"Capacity is {options.Capacity}; it must be 1 to 1,048,576.");
+        if (options.MaxFrames < 1)
+            throw new ArgumentOutOfRangeException(nameof(options), options.MaxFrames, $"MaxFrames is {options.MaxFrames}; it must be at least 1, or null.");
         if (options.FrameTime == default(BvhFrameTime))
             throw new ArgumentException("FrameTime is 0; it must be more than 0, or null.", nameof(options));
 
