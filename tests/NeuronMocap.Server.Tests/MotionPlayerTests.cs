@@ -1,4 +1,6 @@
+using System.Numerics;
 using NeuronMocap.Recording;
+using NeuronMocap.Server.Tests.Sources;
 using NeuronMocap.Tests.Playback;
 using NeuronMocap.Tests.Server;
 
@@ -67,6 +69,26 @@ public sealed class MotionPlayerTests
         player.Seek(TimeSpan.Zero);
         Assert.True(player.WaitUntilDelivered(Limits.Unexpected));
         Assert.Equal(0u, frames.Indices[^1]);
+    }
+
+    // The stop does not wait for the thread that it runs on, so it is complete at once.
+    [Fact]
+    public async Task A_source_can_stop_the_reader_at_once()
+    {
+        bool? isStopped = null;
+        Action stop = static () => { };
+        var source = new FormulaSource(60, 90, (_, pose) =>
+        {
+            pose.Fill(new BoneTransform(Vector3.Zero, Quaternion.Identity));
+            stop();
+        });
+        using RecordingPlayer player = MotionPlayer.Create(source, "Ann");
+        await using var reader = new NeuronReader(player, new NeuronReaderOptions { StopTimeout = Limits.Unexpected });
+        stop = () => isStopped ??= reader.DisposeAsync().AsTask().IsCompleted;
+        reader.Start();
+        await reader.Completion.Soon();
+        await Limits.UntilAsync(() => isStopped is not null);
+        Assert.True(isStopped);
     }
 
     [Fact]

@@ -38,6 +38,7 @@ public sealed class RecordingPlayer : IDisposable
     private readonly RecordedEventSource _source;
     private readonly PlaybackFile _file;
     private readonly PlaybackControl _control;
+    private PlaybackRun? _run;
     private int _readers;
     private volatile bool _waitsForQueues = true;
     private volatile bool _isPaced = true;
@@ -53,7 +54,9 @@ public sealed class RecordingPlayer : IDisposable
             moved.Moved += _control.FollowClock;
     }
 
-    /// <summary>Occurs when the last pass has ended, on the playback's thread, before the reader's status changes.</summary>
+    /// <summary>
+    /// Occurs when the last pass has ended, on the playback's thread, before the reader's status changes. A handler can dispose the player and the reader.
+    /// </summary>
     public event Action? Completed;
 
     /// <summary>Name of the file, without its folder.</summary>
@@ -121,6 +124,9 @@ public sealed class RecordingPlayer : IDisposable
 
     // Whether the time without frames says nothing about the recording.
     internal bool IsHeld => IsPaused || Options.Clock is not null;
+
+    // Whether the playback's thread calls this.
+    internal bool IsPlaybackThread => _run is { IsCaller: true };
 
     // The name in status messages.
     internal string Target => _file.Target;
@@ -212,6 +218,7 @@ public sealed class RecordingPlayer : IDisposable
 
         var feed = new PlaybackFeed(_source, filter, Options.MaxValues ?? _source.MaxValues);
         var run = new PlaybackRun(_file, _control, feed, () => Complete(callbackFailed));
+        _run = run;
         return () => new PlaybackLink(run);
     }
 
