@@ -108,5 +108,23 @@ public sealed class ManualClockTests
         Assert.Equal((TimeSpan.FromSeconds(2), timestamp), (_clock.Now, _clock.Timestamp));
     }
 
+    [Fact]
+    public async Task The_last_time_of_all_makes_every_frame_due()
+    {
+        using TemporaryFile file = Played.Frames(10, interval: 10);
+        using RecordingPlayer player = Open(file);
+        player.Speed = 100;
+        player.Passes = 2;
+        await using var reader = new NeuronReader(player);
+        reader.Start();
+        await Limits.UntilAsync(() => reader.GetStatistics().MotionFrames == 1);
+        long before = _clock.Timestamp;
+        _clock.MoveTo(TimeSpan.MaxValue);
+        Assert.InRange(_clock.Timestamp, before + 1, long.MaxValue);
+        Assert.InRange(player.Position, TimeSpan.Zero, player.Duration);
+        await reader.Completion.Soon();
+        Assert.Equal(20, reader.GetStatistics().MotionFrames);
+    }
+
     private RecordingPlayer Open(TemporaryFile file) => RecordingPlayer.Open(file.Path, new PlaybackOptions { Clock = _clock });
 }
