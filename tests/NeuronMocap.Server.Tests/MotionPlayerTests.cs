@@ -91,6 +91,46 @@ public sealed class MotionPlayerTests
         Assert.True(isStopped);
     }
 
+    [Theory]
+    [InlineData(1)]
+    [InlineData(100)]
+    public async Task An_endless_source_continues_after_the_last_position(double speed)
+    {
+        using RecordingPlayer player = MotionPlayer.Create(new SyntheticSource(60), "Ann", new PlaybackOptions { Clock = _clock });
+        await using var reader = new NeuronReader(player);
+        using var frames = new FrameLog(reader);
+        reader.Start();
+        await frames.WaitAsync(1);
+        player.Seek(player.Duration);
+        Assert.True(player.WaitUntilDelivered(Limits.Unexpected));
+        TimeSpan last = player.Position;
+        Assert.InRange(last, TimeSpan.FromDays(3600 * 365), player.Duration - TimeSpan.FromDays(1));
+
+        player.Pause();
+        player.Speed = speed;
+        player.Resume();
+        Assert.True(player.WaitUntilDelivered(Limits.Unexpected));
+        frames.Clear();
+        _clock.MoveTo(TimeSpan.FromSeconds(1));
+        Assert.True(player.WaitUntilDelivered(Limits.Unexpected));
+        Assert.InRange(frames.Indices.Length, (60 * speed) - 1, (60 * speed) + 1);
+        Assert.Equal(last + TimeSpan.FromSeconds(speed), player.Position);
+
+        player.StepBack();
+        await Limits.UntilAsync(() => player.Position < last + TimeSpan.FromSeconds(speed));
+        player.Seek(TimeSpan.Zero);
+        player.Resume();
+        Assert.True(player.WaitUntilDelivered(Limits.Unexpected));
+        Assert.Equal(0u, frames.Indices[^1]);
+    }
+
+    [Fact]
+    public void A_source_longer_than_a_time_can_be_lasts_as_long_as_a_time()
+    {
+        using RecordingPlayer player = MotionPlayer.Create(new FormulaSource(0.01, long.MaxValue - 1, static (_, _) => { }), "Ann");
+        Assert.Equal(TimeSpan.MaxValue, player.Duration);
+    }
+
     [Fact]
     public void Null_arguments_are_rejected()
     {

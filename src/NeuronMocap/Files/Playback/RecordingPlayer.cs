@@ -35,6 +35,9 @@ public sealed class RecordingPlayer : IDisposable
     /// <summary>The value of <see cref="Passes"/> that repeats the recording without end.</summary>
     public const int Endless = PlaybackControl.Endless;
 
+    // There must be time left to play.
+    private static readonly TimeSpan LastPosition = TimeSpan.FromTicks(RecordingLayout.MaxTime);
+
     private readonly RecordedEventSource _source;
     private readonly PlaybackFile _file;
     private readonly PlaybackControl _control;
@@ -181,9 +184,15 @@ public sealed class RecordingPlayer : IDisposable
     /// receive new numbers.
     /// </para>
     /// </remarks>
-    /// <param name="position">The time since the start. A value outside the recording means its start or end.</param>
-    public void Seek(TimeSpan position) =>
-        _control.Seek(position < TimeSpan.Zero ? TimeSpan.Zero : position < Duration ? position : Duration);
+    /// <param name="position">
+    /// The time since the start. A value outside the recording means its start or end. For motion that never ends, the end is a position after about 3,650
+    /// years.
+    /// </param>
+    public void Seek(TimeSpan position)
+    {
+        TimeSpan last = Duration < LastPosition ? Duration : LastPosition;
+        _control.Seek(position < TimeSpan.Zero ? TimeSpan.Zero : position < last ? position : last);
+    }
 
     /// <summary>
     /// Waits until all frames that are due have been delivered, for example after <see cref="ManualClock.MoveTo"/>. Handlers have then returned.
