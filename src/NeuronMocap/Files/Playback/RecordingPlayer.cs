@@ -201,9 +201,16 @@ public sealed class RecordingPlayer : IDisposable
     /// It returns at once while no reader plays the file, while the playback is paused, and at <see cref="MaxSpeed"/>. Do not call it from a handler of
     /// the reader. It does not allocate memory.
     /// </remarks>
-    /// <param name="timeout">The longest wait.</param>
+    /// <param name="timeout">The longest wait, zero or more. <see cref="Timeout.InfiniteTimeSpan"/> means no limit.</param>
     /// <returns>False if the time was not enough.</returns>
-    public bool WaitUntilDelivered(TimeSpan timeout) => _control.WaitUntilDelivered(timeout);
+    /// <exception cref="ArgumentOutOfRangeException">The timeout is negative and not infinite.</exception>
+    public bool WaitUntilDelivered(TimeSpan timeout)
+    {
+        if (timeout < TimeSpan.Zero && timeout != Timeout.InfiniteTimeSpan)
+            throw new ArgumentOutOfRangeException(nameof(timeout), timeout, "The timeout must be zero or more, or infinite.");
+
+        return _control.WaitUntilDelivered(timeout);
+    }
 
     /// <summary>
     /// Closes the file. If the reader is running, it stops within milliseconds, even while the playback waits. A full queue that the playback waits for
