@@ -15,8 +15,8 @@ public sealed partial class Broadcaster
     /// </para>
     /// </remarks>
     /// <param name="avatars">Number of avatars, 1 to 256. Each walks its own ring.</param>
-    /// <param name="frameRate">Frames per second.</param>
-    /// <param name="rotationOrder">Order of the rotation values.</param>
+    /// <param name="frameRate">Frames per second, 0.01 to 100,000.</param>
+    /// <param name="rotationOrder">Order of the rotation values, one of the six.</param>
     /// <returns>A broadcaster that runs until it is disposed.</returns>
     /// <exception cref="ArgumentOutOfRangeException">A value is out of range.</exception>
     /// <exception cref="BroadcasterException">The system has no free port.</exception>
@@ -24,6 +24,10 @@ public sealed partial class Broadcaster
     {
         if (avatars is < 1 or > 256)
             throw new ArgumentOutOfRangeException(nameof(avatars), avatars, "The number of avatars must be 1 to 256.");
+        if (frameRate is not (>= 0.01 and <= 100_000))
+            throw new ArgumentOutOfRangeException(nameof(frameRate), frameRate, "The frame rate must be 0.01 to 100,000 Hz.");
+        if (rotationOrder is < RotationOrder.XZY or > RotationOrder.ZYX)
+            throw new ArgumentOutOfRangeException(nameof(rotationOrder), rotationOrder, "The rotation order must be one of the six orders.");
 
         var demo = new Broadcaster(new BroadcasterOptions
         {

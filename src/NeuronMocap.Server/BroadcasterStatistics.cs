@@ -87,7 +87,8 @@ public readonly record struct BroadcasterClient
 {
     internal BroadcasterClient(EndPoint? remoteEndPoint, bool isUdp, bool isCalculation, in RecipientCounters counters)
     {
-        RemoteEndPoint = remoteEndPoint;
+        // A copy, because an end point can be changed.
+        RemoteEndPoint = remoteEndPoint is IPEndPoint each ? new IPEndPoint(each.Address, each.Port) : remoteEndPoint;
         IsUdp = isUdp;
         IsCalculation = isCalculation;
         FramesSent = counters.FramesSent;

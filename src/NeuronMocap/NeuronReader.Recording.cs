@@ -10,7 +10,7 @@ public sealed partial class NeuronReader
     internal StreamTap Tap => _recordings.Tap;
 
     // Whether the reader plays a file. Its tap then gets nothing.
-    internal bool IsPlayback => _isPlayback;
+    internal bool IsPlayback => _player is not null;
 
     // The most values that a packet of this reader may have.
     internal int MaxValues => _options.MaxValues;
@@ -48,7 +48,7 @@ public sealed partial class NeuronReader
         if (how.FindFault() is { } fault)
             throw new ArgumentException(fault, nameof(options));
 
-        if (_isPlayback)
+        if (IsPlayback)
             throw new InvalidOperationException("The reader plays a file, and a playback cannot be recorded.");
 
         return _recordings.Start(path, how, this);

@@ -131,7 +131,7 @@ public sealed partial class NeuronReader
         get
         {
             int thread = Environment.CurrentManagedThreadId;
-            return thread == _reportingThread || thread == _pipeline.HandlerThreadNumber || _reporter.IsReporting;
+            return thread == _reportingThread || thread == _pipeline.HandlerThreadNumber || _reporter.IsReporting || _player is { IsPlaybackThread: true };
         }
     }
 
@@ -240,7 +240,7 @@ public sealed partial class NeuronReader
     }
 
     // Whether only bytes from the network can change anything. The questions of the command channel, refused senders and a second connection need checks.
-    private bool IsIdle() => !_isPlayback && _discovery is null && _calculation is null && _options.AllowedSenders.Count == 0 && _activity.IsIdle;
+    private bool IsIdle() => !IsPlayback && _discovery is null && _calculation is null && _options.AllowedSenders.Count == 0 && _activity.IsIdle;
 
     // Called after the handlers of Stopped, the last status.
     private void Complete(ConnectionStatus last)

@@ -63,7 +63,7 @@ public sealed partial class NeuronReader : IDisposable, IAsyncDisposable
     private readonly CalculationConnection? _calculation;
     private readonly ServerDiscovery? _discovery;
     private readonly ReaderRecordings _recordings;
-    private readonly bool _isPlayback;
+    private readonly RecordingPlayer? _player;
     private Watchdog? _watchdog;
     private int _started;
     private int _begun;
@@ -129,7 +129,7 @@ public sealed partial class NeuronReader : IDisposable, IAsyncDisposable
     private NeuronReader(NeuronReaderOptions options, Func<Link>? createLink, RecordingPlayer? player)
     {
         ArgumentNullException.ThrowIfNull(options);
-        _isPlayback = player is not null;
+        _player = player;
         _options = player is null ? options.Copy() : options.CopyFor(player);
         if (_options.FindFault() is { } fault)
             throw new ArgumentException(fault, nameof(options));

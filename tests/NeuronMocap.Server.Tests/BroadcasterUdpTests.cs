@@ -67,6 +67,25 @@ public sealed class BroadcasterUdpTests
     }
 
     [Fact]
+    public async Task Later_changes_of_an_end_point_have_no_effect()
+    {
+        using Socket receiver = Receiver();
+        var destination = (IPEndPoint)receiver.LocalEndPoint!;
+        int port = destination.Port;
+        BroadcasterOptions options = Options(2000, destination);
+        options.MaxFrames = null;
+        await using var broadcaster = new Broadcaster(options);
+        destination.Port = 1;
+        broadcaster.Start();
+        await ReceiveAsync(receiver);
+
+        var reported = (IPEndPoint)Assert.Single(broadcaster.GetClients()).RemoteEndPoint!;
+        Assert.Equal(port, reported.Port);
+        reported.Port = 1;
+        Assert.Equal(new IPEndPoint(IPAddress.Loopback, port), Assert.Single(broadcaster.GetClients()).RemoteEndPoint);
+    }
+
+    [Fact]
     public async Task An_unreachable_destination_does_not_end_the_broadcast()
     {
         BroadcasterOptions options = Options(BroadcasterOptions.MaxFrameRate, new IPEndPoint(IPAddress.Loopback, FreePort.Next()));

@@ -50,6 +50,15 @@ public sealed class DemoTests
     [InlineData(0, 60)]
     [InlineData(257, 60)]
     [InlineData(1, 0)]
-    public void A_demo_out_of_range_is_refused(int avatars, double frameRate) =>
-        Assert.Throws<ArgumentOutOfRangeException>(() => Broadcaster.StartDemo(avatars, frameRate));
+    [InlineData(1, 0.009)]
+    [InlineData(1, 1e6)]
+    [InlineData(1, double.NaN)]
+    [InlineData(1, BroadcasterOptions.MaxFrameRate)]
+    [InlineData(1, 60, 6)]
+    [InlineData(1, 60, -1)]
+    public void A_demo_out_of_range_is_refused(int avatars, double frameRate, int order = 0)
+    {
+        string name = order != 0 ? "rotationOrder" : avatars != 1 ? "avatars" : "frameRate";
+        Assert.Throws<ArgumentOutOfRangeException>(name, () => Broadcaster.StartDemo(avatars, frameRate, (RotationOrder)order));
+    }
 }

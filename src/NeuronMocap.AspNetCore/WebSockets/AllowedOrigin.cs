@@ -12,7 +12,7 @@ internal static class AllowedOrigin
     private const string OfNoSite = "null";
 
     public static bool IsValid(string? origin) => origin is Any or OfNoSite
-        || (TryParse(origin, out Uri? address) && address.GetLeftPart(UriPartial.Authority).Length == origin!.TrimEnd('/').Length);
+        || (TryParse(origin, out Uri? address) && EndsWithHost(origin!.TrimEnd('/'), address));
 
     // The host of a page is not compared with that of the request: an attacker's name can lead to any address.
     public static bool Allows(IReadOnlyList<string> allowed, string origin) => IsOfThisComputer(origin) || allowed.Any(each => each is Any || IsSame(each, origin));
@@ -21,6 +21,14 @@ internal static class AllowedOrigin
 
     // A port that the scheme implies may be written or left out. Browsers send other alphabets in their ASCII form.
     private static string Normalize(string origin) => TryParse(origin, out Uri? address) ? $"{address.Scheme}://{address.IdnHost}:{address.Port}" : origin;
+
+    // Whether nothing follows the host and the port. The left part lacks a port that the scheme implies.
+    private static bool EndsWithHost(string origin, Uri address)
+    {
+        string port = FormattableString.Invariant($":{address.Port}");
+        int rest = origin.Length - address.GetLeftPart(UriPartial.Authority).Length;
+        return rest == 0 || (address.IsDefaultPort && rest == port.Length && origin.EndsWith(port, StringComparison.Ordinal));
+    }
 
     private static bool IsOfThisComputer(string origin) => TryParse(origin, out Uri? address) && address.Scheme is "http" or "https"
         && (address.Host.Equals("localhost", StringComparison.OrdinalIgnoreCase)

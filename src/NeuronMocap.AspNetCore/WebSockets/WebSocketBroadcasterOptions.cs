@@ -11,6 +11,7 @@ public sealed class WebSocketBroadcasterOptions
 
     /// <summary>
     /// The web sites whose pages may connect, such as <c>https://show.example</c>. A page from a file has the origin <c>null</c>; <c>*</c> allows every page.
+    /// A port that the scheme implies can be left out.
     /// </summary>
     /// <remarks>
     /// Pages of this computer, such as those of <c>http://localhost:8080</c>, may always connect. Without this check, any page that a browser on this
@@ -46,6 +47,8 @@ public sealed class WebSocketBroadcasterOptions
             return "Token is empty or has a line break; set a word, or leave it null.";
         if (Token is not null && Token.Trim().Length < Token.Length)
             return "Token has spaces at its start or end, which a header does not carry; remove them.";
+        if (AllowedOrigins.Any(static origin => origin is null))
+            return "AllowedOrigins contains a null reference; remove it. Write \"null\" for pages from files.";
         if (AllowedOrigins.FirstOrDefault(static origin => !AllowedOrigin.IsValid(origin)) is { } wrong)
             return $"AllowedOrigins contains '{wrong}'; an origin is a scheme and a host, such as https://show.example, or null, or *.";
         if (MaxClients is < 1 or > 100_000)

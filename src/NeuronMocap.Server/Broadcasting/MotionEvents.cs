@@ -39,7 +39,7 @@ internal sealed class MotionEvents(FramePlan plan, string name) : RecordedEventS
 
     public override bool Seek(TimeSpan time)
     {
-        _next = Math.Clamp((long)(time.TotalSeconds * plan.FrameRate), 0, plan.FrameCount);
+        _next = Math.Clamp(RecordedTime.ToTicks(time.TotalSeconds * plan.FrameRate), 0, plan.FrameCount);
         _isOpened = _next > 0;
         return _next == 0;
     }
@@ -48,5 +48,5 @@ internal sealed class MotionEvents(FramePlan plan, string name) : RecordedEventS
     {
     }
 
-    private TimeSpan TimeOf(long frame) => TimeSpan.FromTicks((long)Math.Round(frame * (double)TimeSpan.TicksPerSecond / plan.FrameRate));
+    private TimeSpan TimeOf(long frame) => TimeSpan.FromTicks(RecordedTime.ToTicks(Math.Round(frame * (double)TimeSpan.TicksPerSecond / plan.FrameRate)));
 }

@@ -212,7 +212,7 @@ public sealed partial class BroadcasterOptions
         var copy = (BroadcasterOptions)MemberwiseClone();
         copy.Sources = Sources?.ToArray() ?? [];
         copy.AvatarNames = AvatarNames?.ToArray() ?? [];
-        copy.UdpDestinations = UdpDestinations?.ToArray() ?? [];
+        copy.UdpDestinations = UdpDestinations?.Select(static each => each is null ? each! : new IPEndPoint(each.Address, each.Port)).ToArray() ?? [];
         BroadcasterOptionsCheck.Check(copy);
         return copy;
     }

@@ -17,6 +17,7 @@ public sealed class LoopedSource : MotionSource
     /// <exception cref="ArgumentException">The source has no frames or no end.</exception>
     public LoopedSource(MotionSource source)
     {
+        ArgumentNullException.ThrowIfNull(source);
         if (source.FrameCount is not > 0)
             throw new ArgumentException("The source must have at least one frame and an end.", nameof(source));
 

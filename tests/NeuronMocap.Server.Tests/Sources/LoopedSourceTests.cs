@@ -27,6 +27,7 @@ public class LoopedSourceTests
     [Fact]
     public void Only_finite_sources_with_frames_can_loop()
     {
+        Assert.Throws<ArgumentNullException>(() => new LoopedSource(null!));
         Assert.Throws<ArgumentException>(() => new LoopedSource(Climb(count: 0)));
         Assert.Throws<ArgumentException>(() => new LoopedSource(new SyntheticSource()));
     }

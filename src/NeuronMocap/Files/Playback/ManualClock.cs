@@ -22,12 +22,13 @@ public sealed class ManualClock
 
     /// <summary>
     /// The time of the clock in ticks of <see cref="Stopwatch"/>: <see cref="AvatarFrame.Timestamp"/> of a frame that is due now. It equals the real
-    /// time only when the clock was created.
+    /// time only when the clock was created. It never exceeds <see cref="long.MaxValue"/>, which a <see cref="Stopwatch"/> of one tick per nanosecond
+    /// reaches after 292 years.
     /// </summary>
-    public long Timestamp => _origin + RecordedTime.ToTimestamp(Now);
+    public long Timestamp => RecordedTime.Add(_origin, RecordedTime.ToTimestamp(Now));
 
     /// <summary>Moves the clock forward.</summary>
-    /// <param name="time">The new time. If it is not later than <see cref="Now"/>, the clock stays where it is.</param>
+    /// <param name="time">The new time, up to <see cref="TimeSpan.MaxValue"/>. If it is not later than <see cref="Now"/>, the clock stays where it is.</param>
     public void MoveTo(TimeSpan time)
     {
         long ticks = Interlocked.Read(ref _ticks);

@@ -26,7 +26,11 @@ internal sealed class PlaybackClock(bool catchesUp = false)
         if (!IsPaced)
             return _reached;
 
-        return IsRunning && now > _anchor ? _position + PreciseTime.FromSeconds((now - _anchor) / (double)Stopwatch.Frequency * Speed) : _position;
+        if (!IsRunning || now <= _anchor)
+            return _position;
+
+        double passed = (now - _anchor) / (double)Stopwatch.Frequency * Speed * TimeSpan.TicksPerSecond;
+        return new TimeSpan(RecordedTime.Add(_position.Ticks, RecordedTime.ToTicks(passed)));
     }
 
     public void Run(long now)
@@ -58,17 +62,17 @@ internal sealed class PlaybackClock(bool catchesUp = false)
 
     // Without pacing, recorded time and real time advance at the same rate.
     public long DueAt(TimeSpan time) =>
-        _anchor + (long)Math.Round((time - _position).TotalSeconds / (IsPaced ? Speed : 1) * Stopwatch.Frequency);
+        RecordedTime.Add(_anchor, RecordedTime.ToTicks(Math.Round((time - _position).TotalSeconds / (IsPaced ? Speed : 1) * Stopwatch.Frequency)));
 
     // Records that an event was reached and returns its timestamp, which is the time when it was or is due. Timestamps never decrease. Unpaced
     // playback moves them ahead of real time, and they stay ahead.
     public long Reach(TimeSpan time, long now)
     {
-        if (IsPaced && !catchesUp && now - DueAt(time) > MostBehind)
+        if (IsPaced && !catchesUp && DueAt(time) < now - MostBehind)
             MoveTo(time, now);
 
         _reached = time;
-        _newest = Math.Max(_newest, DueAt(time) + _shift);
+        _newest = Math.Max(_newest, RecordedTime.Add(DueAt(time), _shift));
         return _newest;
     }
 }

@@ -121,7 +121,7 @@ internal sealed class PlaybackControl(PlaybackTime time, TimeSpan duration)
     // Any thread except the playback's.
     public bool WaitUntilDelivered(TimeSpan timeout)
     {
-        long end = Stopwatch.GetTimestamp() + (long)(timeout.TotalSeconds * Stopwatch.Frequency);
+        long end = timeout == Timeout.InfiniteTimeSpan ? long.MaxValue : RecordedTime.Add(Stopwatch.GetTimestamp(), RecordedTime.ToTimestamp(timeout));
         lock (_lock)
         {
             while (_isPlaying && !_isPaused && !_hasEnded && _clock.IsPaced && _awaited <= time.Now)

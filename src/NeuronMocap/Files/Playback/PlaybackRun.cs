@@ -14,7 +14,13 @@ internal sealed class PlaybackRun(PlaybackFile file, PlaybackControl control, Pl
     private CancellationToken _cancellationToken;
     private ILinkListener? _listener;
 
+    // The number of the playback's thread while it plays, or 0. Other threads may see an old value.
+    private int _thread;
+
     public string Target => file.Target;
+
+    // Whether the playback's thread calls this.
+    public bool IsCaller => _thread == Environment.CurrentManagedThreadId;
 
     // Waits until a connection is open.
     public LinkEnd Open(CancellationToken cancellationToken) => Use(() =>
@@ -37,11 +43,19 @@ internal sealed class PlaybackRun(PlaybackFile file, PlaybackControl control, Pl
 
     private LinkEnd Use(Func<LinkEnd> action)
     {
-        LinkEnd end = file.Use(action);
-        if (end.IsFinal || IsStopped())
-            control.Leave();
+        _thread = Environment.CurrentManagedThreadId;
+        try
+        {
+            LinkEnd end = file.Use(action);
+            if (end.IsFinal || IsStopped())
+                control.Leave();
 
-        return end;
+            return end;
+        }
+        finally
+        {
+            _thread = 0;
+        }
     }
 
     private LinkEnd Open()

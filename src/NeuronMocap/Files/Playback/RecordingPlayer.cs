@@ -35,9 +35,13 @@ public sealed class RecordingPlayer : IDisposable
     /// <summary>The value of <see cref="Passes"/> that repeats the recording without end.</summary>
     public const int Endless = PlaybackControl.Endless;
 
+    // There must be time left to play.
+    private static readonly TimeSpan LastPosition = TimeSpan.FromTicks(RecordingLayout.MaxTime);
+
     private readonly RecordedEventSource _source;
     private readonly PlaybackFile _file;
     private readonly PlaybackControl _control;
+    private PlaybackRun? _run;
     private int _readers;
     private volatile bool _waitsForQueues = true;
     private volatile bool _isPaced = true;
@@ -53,7 +57,9 @@ public sealed class RecordingPlayer : IDisposable
             moved.Moved += _control.FollowClock;
     }
 
-    /// <summary>Occurs when the last pass has ended, on the playback's thread, before the reader's status changes.</summary>
+    /// <summary>
+    /// Occurs when the last pass has ended, on the playback's thread, before the reader's status changes. A handler can dispose the player and the reader.
+    /// </summary>
     public event Action? Completed;
 
     /// <summary>Name of the file, without its folder.</summary>
@@ -122,6 +128,9 @@ public sealed class RecordingPlayer : IDisposable
     // Whether the time without frames says nothing about the recording.
     internal bool IsHeld => IsPaused || Options.Clock is not null;
 
+    // Whether the playback's thread calls this.
+    internal bool IsPlaybackThread => _run is { IsCaller: true };
+
     // The name in status messages.
     internal string Target => _file.Target;
 
@@ -175,9 +184,15 @@ public sealed class RecordingPlayer : IDisposable
     /// receive new numbers.
     /// </para>
     /// </remarks>
-    /// <param name="position">The time since the start. A value outside the recording means its start or end.</param>
-    public void Seek(TimeSpan position) =>
-        _control.Seek(position < TimeSpan.Zero ? TimeSpan.Zero : position < Duration ? position : Duration);
+    /// <param name="position">
+    /// The time since the start. A value outside the recording means its start or end. For motion that never ends, the end is a position after about 3,650
+    /// years.
+    /// </param>
+    public void Seek(TimeSpan position)
+    {
+        TimeSpan last = Duration < LastPosition ? Duration : LastPosition;
+        _control.Seek(position < TimeSpan.Zero ? TimeSpan.Zero : position < last ? position : last);
+    }
 
     /// <summary>
     /// Waits until all frames that are due have been delivered, for example after <see cref="ManualClock.MoveTo"/>. Handlers have then returned.
@@ -186,9 +201,16 @@ public sealed class RecordingPlayer : IDisposable
     /// It returns at once while no reader plays the file, while the playback is paused, and at <see cref="MaxSpeed"/>. Do not call it from a handler of
     /// the reader. It does not allocate memory.
     /// </remarks>
-    /// <param name="timeout">The longest wait.</param>
+    /// <param name="timeout">The longest wait, zero or more. <see cref="Timeout.InfiniteTimeSpan"/> means no limit.</param>
     /// <returns>False if the time was not enough.</returns>
-    public bool WaitUntilDelivered(TimeSpan timeout) => _control.WaitUntilDelivered(timeout);
+    /// <exception cref="ArgumentOutOfRangeException">The timeout is negative and not infinite.</exception>
+    public bool WaitUntilDelivered(TimeSpan timeout)
+    {
+        if (timeout < TimeSpan.Zero && timeout != Timeout.InfiniteTimeSpan)
+            throw new ArgumentOutOfRangeException(nameof(timeout), timeout, "The timeout must be zero or more, or infinite.");
+
+        return _control.WaitUntilDelivered(timeout);
+    }
 
     /// <summary>
     /// Closes the file. If the reader is running, it stops within milliseconds, even while the playback waits. A full queue that the playback waits for
@@ -212,6 +234,7 @@ public sealed class RecordingPlayer : IDisposable
 
         var feed = new PlaybackFeed(_source, filter, Options.MaxValues ?? _source.MaxValues);
         var run = new PlaybackRun(_file, _control, feed, () => Complete(callbackFailed));
+        _run = run;
         return () => new PlaybackLink(run);
     }
 

@@ -108,5 +108,62 @@ public sealed class ManualClockTests
         Assert.Equal((TimeSpan.FromSeconds(2), timestamp), (_clock.Now, _clock.Timestamp));
     }
 
+    [Fact]
+    public async Task The_last_time_of_all_makes_every_frame_due()
+    {
+        using TemporaryFile file = Played.Frames(10, interval: 10);
+        using RecordingPlayer player = Open(file);
+        player.Speed = 100;
+        player.Passes = 2;
+        await using var reader = new NeuronReader(player);
+        reader.Start();
+        await Limits.UntilAsync(() => reader.GetStatistics().MotionFrames == 1);
+        long before = _clock.Timestamp;
+        _clock.MoveTo(TimeSpan.MaxValue);
+        Assert.InRange(_clock.Timestamp, before + 1, long.MaxValue);
+        Assert.InRange(player.Position, TimeSpan.Zero, player.Duration);
+        await reader.Completion.Soon();
+        Assert.Equal(20, reader.GetStatistics().MotionFrames);
+    }
+
+    [Theory]
+    [InlineData(false)]
+    [InlineData(true)]
+    public async Task A_wait_can_have_no_limit(bool isInfinite)
+    {
+        using TemporaryFile file = Played.Frames(10, interval: 10);
+        using RecordingPlayer player = Open(file);
+        await using var reader = new NeuronReader(player);
+        using var going = new ManualResetEventSlim();
+        reader.MotionReceived += frame =>
+        {
+            if (frame.FrameIndex == 1)
+                going.Wait();
+        };
+        reader.Start();
+        await Limits.UntilAsync(() => reader.GetStatistics().MotionFrames == 1);
+        _clock.MoveTo(Recordings.At(25));
+
+        bool? delivered = null;
+        var waiter = new Thread(() => delivered = player.WaitUntilDelivered(isInfinite ? Timeout.InfiniteTimeSpan : TimeSpan.MaxValue)) { IsBackground = true };
+        waiter.Start();
+        await Limits.UntilAsync(() => waiter.ThreadState.HasFlag(ThreadState.WaitSleepJoin) || !waiter.IsAlive);
+        going.Set();
+        Assert.True(waiter.Join(Limits.Unexpected));
+        Assert.True(delivered);
+        Assert.Equal(3, reader.GetStatistics().MotionFrames);
+    }
+
+    [Theory]
+    [InlineData(-1)]
+    [InlineData(-2 * TimeSpan.TicksPerMillisecond)]
+    [InlineData(long.MinValue)]
+    public void A_wait_is_not_negative(long ticks)
+    {
+        using TemporaryFile file = Played.TenFrames();
+        using RecordingPlayer player = Open(file);
+        Assert.Throws<ArgumentOutOfRangeException>("timeout", () => player.WaitUntilDelivered(new TimeSpan(ticks)));
+    }
+
     private RecordingPlayer Open(TemporaryFile file) => RecordingPlayer.Open(file.Path, new PlaybackOptions { Clock = _clock });
 }

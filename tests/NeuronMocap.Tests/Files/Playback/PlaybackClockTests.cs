@@ -79,6 +79,22 @@ public sealed class PlaybackClockTests
         Assert.Equal(After(27), clock.Reach(TimeSpan.FromSeconds(7), After(1.004)));
     }
 
+    [Fact]
+    public void Times_beyond_the_last_are_the_last()
+    {
+        PlaybackClock clock = Running();
+        clock.SetSpeed(0.01, Start);
+        Assert.Equal(long.MaxValue, clock.DueAt(TimeSpan.MaxValue));
+        clock.SetSpeed(100, Start);
+        clock.MoveTo(TimeSpan.FromSeconds(1), Start);
+        Assert.InRange(clock.PositionAt(long.MaxValue), TimeSpan.FromDays(365), TimeSpan.MaxValue);
+        clock.MoveTo(TimeSpan.MaxValue, Start);
+        Assert.Equal(TimeSpan.MaxValue, clock.PositionAt(After(1)));
+        clock.Halt(After(1));
+        clock.Run(long.MaxValue);
+        Assert.Equal((TimeSpan.MaxValue, long.MaxValue), (clock.PositionAt(long.MaxValue), clock.DueAt(TimeSpan.MaxValue)));
+    }
+
     private static PlaybackClock Running()
     {
         var clock = new PlaybackClock();

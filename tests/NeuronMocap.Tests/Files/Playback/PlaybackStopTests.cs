@@ -46,6 +46,31 @@ public sealed class PlaybackStopTests
         Assert.Equal(reader.GetStatistics().Frames, queue.Dropped + queue.Count);
     }
 
+    // The stop does not wait for the thread that it runs on, so it is complete at once.
+    [Theory, InlineData(false), InlineData(true)]
+    public async Task The_end_can_stop_the_reader_at_once(bool fails)
+    {
+        using TemporaryFile file = Played.TenFrames();
+        using RecordingPlayer player = Played.Open(file, new FakeTime());
+        await using var reader = new NeuronReader(player, new NeuronReaderOptions { StopTimeout = Limits.Unexpected });
+        bool? isStopped = null;
+        if (fails)
+        {
+            reader.CallbackFailed += _ => Stop();
+            player.Completed += static () => throw new InvalidOperationException();
+        }
+        else
+        {
+            player.Completed += Stop;
+        }
+
+        reader.Start();
+        await reader.Completion.Soon();
+        Assert.True(isStopped);
+
+        void Stop() => isStopped = reader.DisposeAsync().AsTask().IsCompleted;
+    }
+
     // Contains only the instant zero, without end.
     private sealed class EndlessSource() : RecordedEventSource("endless")
     {
