@@ -1,6 +1,7 @@
 using NeuronMocap.Calculation;
 using NeuronMocap.Csv;
 using NeuronMocap.Recording;
+using NeuronMocap.Server.Sources;
 using NeuronMocap.Tool.Terminal;
 
 namespace NeuronMocap.Tool.Files;
@@ -85,20 +86,7 @@ internal sealed record FileSettings(string Input, string? Output)
     /// not contain it.
     /// </summary>
     /// <exception cref="IOException">The input cannot be read.</exception>
-    public bool KnowsOrder()
-    {
-        if (InputOrder is not null)
-            return true;
-
-        using var file = new FileStream(Input, FileMode.Open, FileAccess.Read, FileShare.ReadWrite | FileShare.Delete);
-        byte[] start = new byte[64];
-        int count = file.ReadAtLeast(start, start.Length, throwOnEndOfStream: false);
-        if (!RecordingReader.IsRecording(start.AsSpan(0, count)))
-            return false;
-
-        using RecordingReader reader = RecordingReader.Open(Input);
-        return reader.Metadata.RotationOrder is not null;
-    }
+    public bool KnowsOrder() => InputOrder is not null || RecordedBody.ReadMetadata(Input)?.RotationOrder is not null;
 
     /// <summary>Determines the kind of the input.</summary>
     /// <exception cref="NeuronException">The input cannot be read, or not with these settings.</exception>

@@ -59,14 +59,7 @@ public sealed class ManualClockTests
         using TemporaryFile file = Played.Frames(10, interval: 10);
         using RecordingPlayer player = Open(file);
         await using var reader = new NeuronReader(player);
-        using var going = new ManualResetEventSlim();
-        reader.MotionReceived += frame =>
-        {
-            if (frame.FrameIndex == 1)
-                going.Wait();
-        };
-        reader.Start();
-        await Limits.UntilAsync(() => reader.GetStatistics().MotionFrames == 1);
+        using ManualResetEventSlim going = await StartWithHandlerThatWaitsAsync(reader);
 
         _clock.MoveTo(Recordings.At(25));
         Assert.False(player.WaitUntilDelivered(TimeSpan.Zero));
@@ -134,14 +127,7 @@ public sealed class ManualClockTests
         using TemporaryFile file = Played.Frames(10, interval: 10);
         using RecordingPlayer player = Open(file);
         await using var reader = new NeuronReader(player);
-        using var going = new ManualResetEventSlim();
-        reader.MotionReceived += frame =>
-        {
-            if (frame.FrameIndex == 1)
-                going.Wait();
-        };
-        reader.Start();
-        await Limits.UntilAsync(() => reader.GetStatistics().MotionFrames == 1);
+        using ManualResetEventSlim going = await StartWithHandlerThatWaitsAsync(reader);
         _clock.MoveTo(Recordings.At(25));
 
         bool? delivered = null;
@@ -163,6 +149,20 @@ public sealed class ManualClockTests
         using TemporaryFile file = Played.TenFrames();
         using RecordingPlayer player = Open(file);
         Assert.Throws<ArgumentOutOfRangeException>("timeout", () => player.WaitUntilDelivered(new TimeSpan(ticks)));
+    }
+
+    // The handler waits for the event at the second frame.
+    private static async Task<ManualResetEventSlim> StartWithHandlerThatWaitsAsync(NeuronReader reader)
+    {
+        var going = new ManualResetEventSlim();
+        reader.MotionReceived += frame =>
+        {
+            if (frame.FrameIndex == 1)
+                going.Wait();
+        };
+        reader.Start();
+        await Limits.UntilAsync(() => reader.GetStatistics().MotionFrames == 1);
+        return going;
     }
 
     private RecordingPlayer Open(TemporaryFile file) => RecordingPlayer.Open(file.Path, new PlaybackOptions { Clock = _clock });
